@@ -4,9 +4,7 @@ import math
 import re
 
 import hophoop as hh
-from hophoop.lab import export, limits, tables
-from hophoop.scenario import paths
-from hophoop.vocabulary.parameters import RANGES
+from hophoop.lab import export, limits
 from model.test_page_model import answers
 from web_tools import english, needs_node
 
@@ -20,24 +18,6 @@ def test_limits_bound_the_events_of_a_motion():
     assert limits.within(HOP).contact.max_events == limits.EVENTS
     own = hh.Scenario(contact=hh.Rigid(max_events=7))
     assert limits.within(own) is own
-
-
-# Controls
-
-
-def test_controls_are_parameters_with_valid_ends():
-    offered = tables._controls()
-    sliders = [slider for group in offered["groups"].values() for slider in group]
-    assert {info["path"] for info in (*sliders, *offered["choices"], *offered["map_axes"])} <= set(paths())
-    for slider in sliders:
-        allowed = {"also": (), **tables._range(RANGES[slider["path"]])}
-        for end in (slider["least"], slider["most"]):
-            value = math.radians(end) if slider["unit"] == "°" else end
-            assert allowed["least"] <= value <= allowed["most"] or value in allowed["also"], slider["path"]
-    for choice in offered["choices"]:
-        base = HOP.replace("contact.model", "compliant") if choice["path"].startswith("contact.") else HOP
-        for option in choice["options"]:
-            base.replace(choice["path"], option)
 
 
 # The script

@@ -1,12 +1,12 @@
 """The lab's presets show what they say, and its code makes the same motion."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import hophoop as hh
+from checkout import text_of
 from hophoop.lab import presets
 from hophoop.lab.tables import tables
 
@@ -73,10 +73,9 @@ def test_presets_end_as_they_say():
 def test_the_worksheet_has_its_hoop():
     """The same as on paper, and as the lessons of the lab show it."""
     preset = PRESETS["worksheet"]
-    root = Path(__file__).parents[2]
-    sheet = (root / "docs" / "teach" / "worksheet.md").read_text(encoding="utf-8")
+    sheet = text_of("docs/teach/worksheet.md")
     link = re.search(r"play/index\.html\?([^\"]+)", sheet)[1].replace("&amp;", "&")
     assert hh.Scenario.from_query(link) == preset.scenario
-    lessons = (root / "web" / "lab" / "teach" / "teach.ts").read_text(encoding="utf-8")
+    lessons = text_of("web/lab/teach/teach.ts")
     assert hh.Scenario.from_query(re.search(r'SHEET = "([^"]+)"', lessons)[1] + "1") == preset.scenario
     assert "*Examples* has the hoop of this sheet" in sheet

@@ -119,8 +119,6 @@ def test_it_stops_at_once_and_says_nothing_of_those_who_went_away():
 
 
 def test_serve_refuses_bad_addresses():
-    with pytest.raises(InputError, match="port = 70000 must be from 0 to 65535"):
-        server.serve(port=70000)
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()

@@ -5,7 +5,6 @@ import gzip
 import pytest
 
 import hophoop as hh
-from hophoop.scenario import InputError
 
 HOP = hh.Scenario()
 
@@ -38,10 +37,3 @@ def test_the_widget_sends_the_module_of_fates_when_it_is_asked_for(widget):
     ((content, buffers),) = widget.sent
     assert content == {"number": 0.5}
     assert gzip.decompress(buffers[0])[:4] == b"\0asm"
-
-
-def test_show_refuses_what_is_no_motion():
-    with pytest.raises(InputError, match="motion = int must be a Trajectory or a Scenario"):
-        hh.show(3)
-    with pytest.raises(InputError, match="panels holds 'chart'"):
-        hh.show(HOP, panels=["chart"])

@@ -2,15 +2,14 @@
 
 import json
 import re
-from pathlib import Path
 
 import pytest
 
+from checkout import ROOT
 from hophoop.lab import tables
 from hophoop.scenario import paths
 from hophoop.vocabulary.names import EVENTS
 
-ROOT = Path(__file__).parents[2]
 WEB = ROOT / "web"
 TABLES = {
     path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "src/hophoop/lab/words").glob("*.json"))

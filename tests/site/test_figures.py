@@ -11,8 +11,8 @@ import pytest
 from PIL import Image
 
 import hophoop as hh
+from checkout import ROOT, text_of
 
-ROOT = Path(__file__).parents[2]
 MODEL, PAGES = (runpy.run_path(str(ROOT / "examples" / "figures" / f"{name}.py")) for name in ("model", "pages"))
 pytestmark = pytest.mark.usefixtures("site")
 
@@ -68,7 +68,7 @@ def test_the_marked_frame_has_its_ring_around_the_red_marker(tmp_path):
 
 
 def test_the_map_of_the_code_has_the_order_of_the_contracts():
-    contracts = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["importlinter"]["contracts"]
+    contracts = tomllib.loads(text_of("pyproject.toml"))["tool"]["importlinter"]["contracts"]
     layers = [re.findall(r"\w+", line) for contract in contracts[:2] for line in contract["layers"]]
     rank = {name: place for place, layer in enumerate(layers) for name in layer}
     ranks = [rank[name] for row in PAGES["CODE"] for name, _ in row if name in rank]

@@ -23,11 +23,10 @@ CUT_OFF = """() => {
 
 
 @pytest.mark.parametrize("width", WIDTHS)
-def test_no_formula_is_cut_off_and_nothing_is_fetched(site, browser, address, width):
+def test_no_formula_is_cut_off_and_nothing_is_fetched(site, new_page, address, width):
     pages = [page for page in sorted(site.rglob("*.html")) if "<math" in page.read_text(encoding="utf-8")]
     assert len(pages) > 15
-    context = browser.new_context(viewport={"width": width, "height": 800})
-    page = context.new_page()
+    page = new_page(viewport={"width": width, "height": 800})
     foreign, cut, wide = [], [], []
     page.on("request", lambda request: request.url.startswith((address, "data:")) or foreign.append(request.url))
     for file in pages:
@@ -38,7 +37,6 @@ def test_no_formula_is_cut_off_and_nothing_is_fetched(site, browser, address, wi
         if page.evaluate("document.documentElement.scrollWidth") > width:
             wide.append(name)
     fonts = page.evaluate("[...document.fonts].filter(font => font.status === 'loaded').map(font => font.family)")
-    context.close()
     assert foreign == []
     assert cut == []
     assert wide == []
@@ -46,30 +44,26 @@ def test_no_formula_is_cut_off_and_nothing_is_fetched(site, browser, address, wi
 
 
 @pytest.mark.parametrize(("scheme", "theme"), [("dark", "auto"), ("light", "dark"), ("dark", "light"), ("light", "auto")])
-def test_a_drawing_takes_the_colours_of_its_page(address, browser, scheme, theme):
+def test_a_drawing_takes_the_colours_of_its_page(address, new_page, scheme, theme):
     dark = theme == "dark" or (theme == "auto" and scheme == "dark")
-    context = browser.new_context(color_scheme=scheme)
-    page = context.new_page()
+    page = new_page(color_scheme=scheme)
     page.add_init_script(f"localStorage.setItem('theme', '{theme}')")
     page.goto(f"{address}model.html")
     picture = page.locator("article img[src$='.svg']").first
     picture.scroll_into_view_if_needed()
     shot = Image.open(io.BytesIO(picture.screenshot())).convert("L")
-    context.close()
     assert (shot.getpixel((2, 2)) < 60) == dark
     darkest, lightest = shot.getextrema()
     assert lightest - darkest > 150  # what it shows stands out from its ground
 
 
-def test_maps_keep_their_colours_on_dark_pages(address, browser):
-    context = browser.new_context(color_scheme="dark")
-    page = context.new_page()
+def test_maps_keep_their_colours_on_dark_pages(address, new_page):
+    page = new_page(color_scheme="dark")
     page.goto(f"{address}atlas.html")
     filters = {
         name: page.locator(f"article img[src*='{name}']").evaluate("one => getComputedStyle(one).filter")
         for name in ("atlas-phase-plane", "atlas-mu-v0-sequence", "atlas-mu-v0-hop-height")
     }
-    context.close()
     assert filters["atlas-phase-plane"] != "none"
     assert filters["atlas-mu-v0-sequence"] == filters["atlas-mu-v0-hop-height"] == "none"
 
@@ -91,9 +85,9 @@ STICKS_OUT = """() => [...document.querySelectorAll('article *, section *')].fil
 TEACHING = ["worksheet", "solutions", "exercises", "lesson-45", "lesson-90", "build", "slides/index"]
 
 
-def test_pages_fit_on_paper(site, browser, address):
+def test_pages_fit_on_paper(site, new_page, address):
     """Pictures, tables and code of all pages, and all of those for teaching, with boxes open and folded."""
-    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
+    page = new_page(viewport={"width": PAPER, "height": 1000})
     page.emulate_media(media="print")
     for file in sorted(site.rglob("*.html")):
         name = file.relative_to(site).as_posix()
@@ -108,7 +102,6 @@ def test_pages_fit_on_paper(site, browser, address):
             page.evaluate("document.querySelectorAll('details').forEach(box => { box.open = true; })")
             assert all(box.is_visible() for box in page.locator("details").all()), name
             assert page.evaluate(STICKS_OUT) == [], name
-    page.close()
 
 
 def test_slides_and_worksheet_are_there_to_hand_out(site):
@@ -124,8 +117,8 @@ def test_slides_and_worksheet_are_there_to_hand_out(site):
 
 
 @pytest.mark.parametrize("width", [1280, 1920])
-def test_slides_fit_on_the_screen_and_answer_on_demand(address, browser, width):
-    page = browser.new_page(viewport={"width": width, "height": width * 9 // 16})
+def test_slides_fit_on_the_screen_and_answer_on_demand(address, new_page, width):
+    page = new_page(viewport={"width": width, "height": width * 9 // 16})
     page.goto(f"{address}teach/slides/index.html")
     page.wait_for_function("() => [...document.querySelectorAll('video')].every(film => film.readyState)")
     heights = page.evaluate("[...document.querySelectorAll('section')].map(slide => slide.scrollHeight)")
@@ -134,11 +127,10 @@ def test_slides_fit_on_the_screen_and_answer_on_demand(address, browser, width):
     assert not box.locator("p").is_visible()
     box.locator("summary").press(" ")
     assert box.locator("p").inner_text() == "At 312°, on the way up."
-    page.close()
 
 
-def test_what_moves_is_drawn_on_paper(address, browser):
-    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
+def test_what_moves_is_drawn_on_paper(address, new_page):
+    page = new_page(viewport={"width": PAPER, "height": 1000})
     page.goto(f"{address}learn/hops-for-ever.html")
     drawn = page.locator("img.on-paper-only")
     assert not drawn.is_visible()
@@ -146,7 +138,6 @@ def test_what_moves_is_drawn_on_paper(address, browser):
     assert drawn.is_visible()
     page.wait_for_function("document.querySelector('img.on-paper-only').naturalWidth > 100")
     assert not page.locator("hophoop-motion").is_visible()
-    page.close()
 
 
 def test_every_example_of_the_gallery_shows_something_also_on_paper(site):
@@ -173,28 +164,26 @@ PAGES = [
 
 @pytest.mark.parametrize("name", [f"{page}.html" for page in PAGES])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing_serious(site, browser, address, name, scheme):
-    assert serious(browser, address + name, scheme) == []
+def test_axe_finds_nothing_serious(site, new_page, address, name, scheme):
+    assert serious(new_page, address + name, scheme) == []
 
 
 @pytest.mark.skipif("HOPHOOP_REPORT" not in os.environ, reason="HOPHOOP_REPORT names no report of hophoop reproduce")
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing_serious_in_the_report(browser, scheme):
-    assert serious(browser, Path(os.environ["HOPHOOP_REPORT"]).resolve().as_uri(), scheme) == []
+def test_axe_finds_nothing_serious_in_the_report(new_page, scheme):
+    assert serious(new_page, Path(os.environ["HOPHOOP_REPORT"]).resolve().as_uri(), scheme) == []
 
 
-def serious(browser, address, scheme="light"):
+def serious(new_page, address, scheme="light"):
     """Rules that axe-core finds broken, of serious or critical impact, with the elements that break them."""
     script = os.environ.get("HOPHOOP_AXE")
     if script is None:
         pytest.skip("HOPHOOP_AXE names no axe.min.js (npm install axe-core)")
-    context = browser.new_context(color_scheme=scheme)
-    page = context.new_page()
+    page = new_page(color_scheme=scheme)
     page.goto(address)
     page.wait_for_load_state("networkidle")
     page.evaluate(Path(script).read_text(encoding="utf-8"))
     found = page.evaluate("axe.run({resultTypes: ['violations']})")["violations"]
-    context.close()
     return [
         (each["id"], sorted(" ".join(node["target"]) for node in each["nodes"]))
         for each in found
@@ -202,12 +191,11 @@ def serious(browser, address, scheme="light"):
     ]
 
 
-def test_the_lab_beside_the_pages_computes(address, browser):
-    page = browser.new_page()
+def test_the_lab_beside_the_pages_computes(address, new_page):
+    page = new_page()
     foreign = []
     page.on("request", lambda request: request.url.startswith((address, "data:", "blob:")) or foreign.append(request.url))
     page.goto(f"{address}play/index.html?start.speed=3.1")
     page.wait_for_selector("[data-ready]", timeout=60_000)
     page.wait_for_function("() => globalThis.hophoopLab?.film()?.sequence?.startsWith('RKRSH')", timeout=60_000)
     assert foreign == []
-    page.close()

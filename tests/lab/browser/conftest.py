@@ -1,14 +1,12 @@
 """The system's Chromium, driven by playwright; without either, these tests are left out."""
 
-import functools
-import http.server
 import json
 import os
-import threading
 from urllib.parse import urlsplit
 
 import pytest
 
+from browser_tools import served
 from lab_page_tools import PATIENCE, serving
 from slow_page import delaying
 
@@ -37,35 +35,23 @@ def site_folder(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def site_address(site_folder):
-    """The folder, served by Python's plain web server."""
-
-    class Quiet(http.server.SimpleHTTPRequestHandler):
-        def log_message(self, *_):
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=site_folder))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    yield f"http://127.0.0.1:{server.server_address[1]}/"
-    server.shutdown()
-    server.server_close()
+    with served(site_folder) as address:
+        yield address
 
 
 @pytest.fixture(scope="session")
-def windows(browser):
+def windows():
     """Pages that stay open from test to test, as a new context costs more than most tests, by the kind of window."""
-    kept = {}
-    yield kept
-    for page in kept.values():
-        page.context.close()
+    return {}
 
 
 @pytest.fixture
-def visit(browser, windows, address, request):
+def visit(browser, new_page, windows, address, request):
     """Opens a page, with empty storage; at the end nothing may have gone wrong in any of them.
 
     A test that adds routes or scripts to its page asks for one of its `own`.
     """
-    contexts, heard, troubles = [], [], []
+    heard, troubles = [], []
     seed = getattr(request, "param", None) or DELAYS
 
     def open_page(query="", ready=True, expected=(), script="", simple=False, own=False, **options):
@@ -73,7 +59,7 @@ def visit(browser, windows, address, request):
         kind = None if own or script or seed else json.dumps([simple, options], sort_keys=True)
         page = windows.get(kind)
         if page is None:
-            page = browser.new_context(**options).new_page()
+            page = (browser.new_page if kind else new_page)(**options)
             page.set_default_timeout(PATIENCE)
             if seed:  # a slower processor, for this page alone
                 page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
@@ -84,8 +70,6 @@ def visit(browser, windows, address, request):
                 page.add_init_script(script)
             if kind:
                 windows[kind] = page
-            else:
-                contexts.append(page.context)
         page.set_viewport_size(options["viewport"])
 
         def console(said):
@@ -114,6 +98,4 @@ def visit(browser, windows, address, request):
     for page in {page for page, _ in heard} & set(windows.values()):
         page.goto(f"{address}static/x")  # nothing, which writes no more
         page.evaluate("localStorage.clear(); sessionStorage.clear()")
-    for context in contexts:
-        context.close()
     assert troubles == []

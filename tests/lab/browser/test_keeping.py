@@ -50,7 +50,7 @@ def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(vis
     page.wait_for_selector("text=SVG works in 2D only")
 
 
-def test_pictures_are_what_the_screen_shows(visit, browser, tmp_path):
+def test_pictures_are_what_the_screen_shows(visit, new_page, tmp_path):
     """Of more pixels than the screen has, and of lines."""
     page = visit(TWO)
     wait_for(page, "!lab.surrounding && lab.films().length === 2")
@@ -65,10 +65,9 @@ def test_pictures_are_what_the_screen_shows(visit, browser, tmp_path):
     words = "".join(root.itertext())
     assert "A: " in words
     assert "t = 0.300 s" in words
-    reader = browser.new_page(viewport={"width": screen.width, "height": screen.height})
+    reader = new_page(viewport={"width": screen.width, "height": screen.height})
     reader.goto(path.as_uri())
     assert difference(Image.open(io.BytesIO(reader.screenshot())), screen) < 3.0
-    reader.close()
 
 
 def test_a_film_of_two_hoops_is_recorded_in_the_browser(visit, tmp_path):

@@ -1,13 +1,11 @@
 """The lab as one file, opened from a disk without a network, in Chromium and in Firefox."""
 
-from pathlib import Path
-
 import pytest
 
 from firefox import Tab, firefox
 from hophoop.lab import export
 from hophoop.vocabulary.names import FATES, identifier
-from lab_page_tools import PATIENCE, PICTURES
+from lab_page_tools import PATIENCE
 
 # Begun by hand: a page that opens at a time does not play by itself.
 AT_REST = "#?start.speed=2#t=0&view=everything"
@@ -17,7 +15,6 @@ KNOWN = """
   const until = async (holds) => { while (!holds()) await new Promise((done) => setTimeout(done, 20)); };"""
 MOVES = "await until(() => globalThis.hophoopLab?.clock.time > 0.05); return performance.now();"
 READY = "await until(() => first('[data-ready]') && !hophoopLab.surrounding);"
-SIZES = {"desktop": (1280, 800), "tablet": (820, 1180), "phone": (390, 844)}
 
 
 class Chromium:
@@ -26,9 +23,6 @@ class Chromium:
     def __init__(self, page):
         self.page = page
         page.set_default_timeout(PATIENCE)
-
-    def size(self, width, height):
-        self.page.set_viewport_size({"width": width, "height": height})
 
     def open(self, address):
         self.page.goto("about:blank")
@@ -44,9 +38,6 @@ class Chromium:
                 self.page.mouse.down()
         self.page.mouse.up()
 
-    def picture(self):
-        return self.page.screenshot()
-
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
@@ -58,15 +49,13 @@ def file(tmp_path_factory):
 def window(request, tmp_path):
     if request.param == "firefox":
         with firefox(tmp_path) as tab:
+            tab.size(1280, 800)
             yield tab
         return
-    context = request.getfixturevalue("browser").new_context(viewport={"width": 1280, "height": 800}, offline=True)
-    troubles = []
-    page = context.new_page()
+    page, troubles = request.getfixturevalue("new_page")(viewport={"width": 1280, "height": 800}, offline=True), []
     page.on("pageerror", lambda error: troubles.append(str(error)))
     page.on("request", lambda asked: troubles.append(asked.url))
     yield Chromium(page)
-    context.close()
     assert [trouble for trouble in troubles if not trouble.startswith(("file:", "blob:", "data:", "about:"))] == []
 
 
@@ -85,15 +74,9 @@ def test_it_moves_within_two_seconds(window, file):
         window.open(file)
         seconds.append(asked(window, MOVES) / 1000)
     assert min(seconds) < 2.0, seconds
-    for name, size in SIZES.items() if PICTURES else ():
-        window.size(*size)
-        opened(window, file)
-        asked(window, MOVES)
-        Path(PICTURES, f"one-file-{name}-{type(window).__name__}.png").write_bytes(window.picture())
 
 
 def test_a_load_is_dragged_a_map_is_there_and_a_link_is_copied_and_opened_again(window, file):
-    window.size(1280, 800)
     opened(window, file + AT_REST)
     x, y, reach = asked(
         window,
@@ -163,14 +146,8 @@ def test_all_is_in_it_and_it_says_whose_it_is(window, file):
     )
 
 
-@pytest.fixture
-def page(browser):
-    context = browser.new_context(viewport={"width": 1000, "height": 800}, offline=True)
-    yield context.new_page()
-    context.close()
-
-
-def test_a_frame_without_storage_and_clipboard_shows_it_all_the_same(page, file, tmp_path):
+def test_a_frame_without_storage_and_clipboard_shows_it_all_the_same(new_page, file, tmp_path):
+    page = new_page(viewport={"width": 1000, "height": 800}, offline=True)
     frame = f'<iframe sandbox="allow-scripts" src="{file}" width="980" height="780"></iframe>'
     (tmp_path / "course.html").write_text(frame)
     page.goto((tmp_path / "course.html").as_uri())
@@ -182,11 +159,9 @@ def test_a_frame_without_storage_and_clipboard_shows_it_all_the_same(page, file,
     assert inner.locator(".code-dialog[open] pre").inner_text().startswith(file)
 
 
-def test_without_scripts_it_says_what_to_do(browser, file):
-    context = browser.new_context(java_script_enabled=False, offline=True)
-    page = context.new_page()
+def test_without_scripts_it_says_what_to_do(new_page, file):
+    page = new_page(java_script_enabled=False, offline=True)
     page.goto(file)
     lines = page.locator(".late p")
     assert [lines.nth(k).get_attribute("lang") for k in range(lines.count())] == [None, "de", "es", "fr", "zh"]
     lines.first.wait_for(state="visible", timeout=PATIENCE)
-    context.close()

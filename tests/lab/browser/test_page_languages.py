@@ -2,11 +2,9 @@
 
 import json
 import re
-from pathlib import Path
 
+from checkout import text_of
 from lab_page_tools import wait_for
-
-WORDS = Path(__file__).parents[3] / "src/hophoop/lab/words"
 
 # What stands on the page, and what is read to people.
 TEXTS = """() => {
@@ -94,7 +92,7 @@ def test_everything_that_is_said_is_in_the_tables(visit):
 
     presets = {preset["key"]: preset["query"] for preset in tables()["setup"]["presets"]}
     queries = [presets[key] for key in ("littlewood", "jam", "indeterminate", "kane", "bounces", "standstill")]
-    english = json.loads((WORDS / "en.json").read_text(encoding="utf-8"))
+    english = json.loads(text_of("src/hophoop/lab/words/en.json"))
     table = json.dumps({key: marked(text) for key, text in english.items()}, ensure_ascii=False)
     page = visit("?start.speed=2", own=True, locale="en-GB", reduced_motion="reduce")
     page.route("**/words.de.json*", lambda route: route.fulfill(body=table, content_type="application/json"))

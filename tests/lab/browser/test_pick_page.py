@@ -1,18 +1,19 @@
 """The page on which a person points at the hoop, in a browser: what is clicked is what is tracked."""
 
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 pytest.importorskip("av", reason="the extra 'track' is not installed")
 
-from film_maker import Film, article_like, make
+from film_maker import SMALL, article_like, make
 from hophoop.lab.pick import pick
 from hophoop.tracking import Hints
 from lab_page_tools import PATIENCE
 
-FILM = Film(size=(320, 192), scale=130.0, origin=(60.0, 170.0), frames=12, marker_size=0.06)
+FILM = replace(SMALL, frames=12)
 RIM = 39.0
 ROUND = [[60, 92], [99, 131], [60, 170]]
 # clicks that make no sense
@@ -29,7 +30,7 @@ POST = """async (said) => {
 }"""
 
 
-def test_clicks_are_hints(browser, tmp_path):
+def test_clicks_are_hints(new_page, tmp_path):
     """On a phone: another frame is chosen, and clicks are taken back."""
     motion = article_like(duration=0.2)
     film = make(tmp_path / "hoop.mp4", motion, FILM)
@@ -42,7 +43,7 @@ def test_clicks_are_hints(browser, tmp_path):
     thread = threading.Thread(target=lambda: answers.append(pick(film, Hints(ring="dark"), show)), daemon=True)
     thread.start()
     assert ready.wait(60)
-    page = browser.new_page(viewport={"width": 390, "height": 760})
+    page = new_page(viewport={"width": 390, "height": 760})
     page.set_default_timeout(PATIENCE)
     page.on("pageerror", lambda error: troubles.append(str(error)))
     page.goto(found["address"])
@@ -86,7 +87,6 @@ def test_clicks_are_hints(browser, tmp_path):
     send.click()
     page.wait_for_selector("text=Thank you")
     thread.join(30)
-    page.close()
     (hints,) = answers
     assert troubles == []
     assert hints.ring == "dark"

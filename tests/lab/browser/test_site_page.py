@@ -1,12 +1,10 @@
 """The exported lab, served by Python's plain web server: everything is computed in the browser, also without a network."""
 
-import functools
-import http.server
-import threading
 import time
 
 import pytest
 
+from browser_tools import served
 from hophoop.lab import export as site
 from lab_page_tools import PATIENCE, until
 
@@ -42,26 +40,12 @@ def test_it_opens_without_a_network_after_the_first_visit(visit, address):
 
 
 @pytest.fixture
-def hosted(tmp_path, browser):
+def hosted(tmp_path, new_page):
     """A folder, a page and an address, as static hosts serve it: browsers may keep files for ten minutes."""
-
-    class Kept(http.server.SimpleHTTPRequestHandler):
-        def end_headers(self):
-            self.send_header("Cache-Control", "max-age=600")
-            super().end_headers()
-
-        def log_message(self, *_):
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Kept, directory=tmp_path))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    context = browser.new_context()
-    page = context.new_page()
+    page = new_page()
     page.set_default_timeout(PATIENCE)
-    yield tmp_path, page, f"http://127.0.0.1:{server.server_address[1]}/"
-    context.close()
-    server.shutdown()
-    server.server_close()
+    with served(tmp_path, 600) as address:
+        yield tmp_path, page, address
 
 
 def open_kept(page, address):
@@ -155,13 +139,12 @@ def test_the_embed_page_makes_the_tag_and_the_code_in_the_visitors_language(visi
     page.wait_for_function(f"() => {ELEMENT}?.lab?.film()")
 
 
-def test_a_host_that_forbids_webassembly_is_named(browser, address):
-    page = browser.new_page()
+def test_a_host_that_forbids_webassembly_is_named(new_page, address):
+    page = new_page()
     forbidding = {"Content-Security-Policy": "script-src 'self'"}
     page.route(address, lambda route: route.fulfill(response=(reply := route.fetch()), headers=reply.headers | forbidding))
     page.goto(address)
     page.get_by_text("Content-Security-Policy needs 'wasm-unsafe-eval' in script-src").wait_for(timeout=PATIENCE)
-    page.close()
 
 
 def test_the_folder_may_stand_anywhere_and_leads_to_the_documentation_beside_it(visit, site_folder):
@@ -177,12 +160,11 @@ def test_the_folder_may_stand_anywhere_and_leads_to_the_documentation_beside_it(
     assert page.title() == "Worksheet"
 
 
-def test_a_page_opened_as_a_file_says_what_to_do(site_folder, browser):
-    page = browser.new_page()
+def test_a_page_opened_as_a_file_says_what_to_do(site_folder, new_page):
+    page = new_page()
     page.goto((site_folder / "index.html").resolve().as_uri())
     words = page.get_by_text("hophoop lab --export play.html")
     words.wait_for(state="attached")
     assert not words.is_visible()  # most pages are there before it is
     page.evaluate("for (const one of document.getAnimations()) one.finish()")
     assert words.is_visible()
-    page.close()

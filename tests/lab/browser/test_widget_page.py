@@ -66,6 +66,13 @@ def test_the_widget_is_the_same_player(visit):
     page.locator(".embedded[data-ready]").wait_for()
     assert "hops at 315.6°" in summary(page)
     assert page.locator(".map").count() == 0
+    # keys that Jupyter would take to delete cells and to make them text
+    page.evaluate("globalThis.heard = []; document.addEventListener('keydown', ({ key }) => heard.push(key))")
+    page.locator(".stage").click()
+    page.keyboard.press("d")
+    page.keyboard.press("m")
+    assert page.evaluate("heard") == []
+    assert page.locator(".embedded").get_attribute("data-lm-suppress-shortcuts") == "true"
     page.locator("input[data-path='start.speed']").fill("2")
     page.wait_for_function("() => document.querySelector('.summary').textContent === 'Rolls.'")
     # the page shows what it computed and tells the notebook then
