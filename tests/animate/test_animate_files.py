@@ -1,6 +1,5 @@
 """Files of films in 2D: formats, sizes, frames, and nothing half written."""
 
-import subprocess
 import sys
 
 import av
@@ -14,6 +13,7 @@ from hophoop.animate.export import format_of, write
 from hophoop.animate.film2d import Film2D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look
+from kernel_tools import started
 
 LOOK = Look(size=(320, 180))
 
@@ -118,8 +118,7 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
 """
     if sys.platform != "linux":
         pytest.skip("ru_maxrss has another unit elsewhere")
-    done = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)
-    assert int(done.stdout) < 60_000  # kB, where all pictures are 126 MB
+    assert int(started("-c", code, str(tmp_path)).stdout) < 60_000  # kB, where all pictures are 126 MB
 
 
 COLOURS = [(255, 255, 255, 255), (0, 0, 0, 255), (200, 30, 40, 255), (20, 160, 60, 0), (30, 50, 220, 255), (90, 90, 90, 9)]

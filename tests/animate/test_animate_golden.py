@@ -4,16 +4,15 @@ They are kept at a quarter of their size, which is enough to see whether all is 
 colour, and lets details of text and edges differ between versions of the drawing library.
 """
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from PIL import Image
 
 from animate_tools import motion
+from checkout import ROOT
 from hophoop.animate import Look, picture
 
-FOLDER = Path(__file__).parents[1] / "baseline" / "films"
+FOLDER = ROOT / "tests/baseline/films"
 PANELS = ("velocity", "energy", "utilization", "phase")
 PICTURES = {
     "rolling": lambda: picture(motion(), 0.62),

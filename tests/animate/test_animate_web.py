@@ -3,7 +3,6 @@
 import base64
 import json
 import re
-import shutil
 
 import numpy as np
 import pytest
@@ -75,36 +74,25 @@ def test_several_hoops_in_the_data(tmp_path):
 
 
 @pytest.mark.long
-def test_the_page_plays_in_a_browser(tmp_path):
+def test_the_page_plays_in_a_browser(tmp_path, new_page):
     """With the network cut: it draws, plays, and turns when dragged."""
-    sync_api = pytest.importorskip("playwright.sync_api")
-    browser_path = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    if browser_path is None:
-        pytest.skip("no browser")
     path = scene(motion(), tmp_path / "hop.html")
-    with sync_api.sync_playwright() as play:
-        browser = play.chromium.launch(
-            executable_path=browser_path,
-            args=["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-        )
-        page = browser.new_context(offline=True).new_page()
-        problems = []
-        page.on("pageerror", lambda error: problems.append(str(error)))
-        page.on("console", lambda message: problems.append(message.text) if message.type == "error" else None)
-        page.goto(path.as_uri() + "#t=1.2")
-        page.wait_for_function("document.querySelector('.word') !== null")
-        page.wait_for_timeout(500)
-        assert page.inner_text(".word") == "in flight"
-        assert page.inner_text(".t") == "t = 1.200 s"
-        assert page.inner_text(".angle") == f"θ = {np.degrees(motion().at(1.2).angle):.1f}°"
-        still = page.screenshot()
-        page.mouse.move(500, 300)
-        page.mouse.down()
-        page.mouse.move(700, 300, steps=4)
-        page.mouse.up()
-        page.wait_for_timeout(300)
-        assert page.screenshot() != still
-        page.click("#play")
-        page.wait_for_function("document.querySelector('.t').textContent.split(' ')[2] > 1.2")
-        assert problems == []
-        browser.close()
+    page, problems = new_page(offline=True), []
+    page.on("pageerror", lambda error: problems.append(str(error)))
+    page.on("console", lambda message: problems.append(message.text) if message.type == "error" else None)
+    page.goto(path.as_uri() + "#t=1.2")
+    page.wait_for_function("document.querySelector('.word') !== null")
+    page.wait_for_timeout(500)
+    assert page.inner_text(".word") == "in flight"
+    assert page.inner_text(".t") == "t = 1.200 s"
+    assert page.inner_text(".angle") == f"θ = {np.degrees(motion().at(1.2).angle):.1f}°"
+    still = page.screenshot()
+    page.mouse.move(500, 300)
+    page.mouse.down()
+    page.mouse.move(700, 300, steps=4)
+    page.mouse.up()
+    page.wait_for_timeout(300)
+    assert page.screenshot() != still
+    page.click("#play")
+    page.wait_for_function("document.querySelector('.t').textContent.split(' ')[2] > 1.2")
+    assert problems == []

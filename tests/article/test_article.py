@@ -5,7 +5,6 @@ import importlib
 import json
 import math
 from contextlib import contextmanager
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,6 +12,7 @@ from scipy.optimize import brentq, minimize_scalar
 from typer.testing import CliRunner
 
 import hophoop as hh
+from checkout import text_of
 from hophoop.article import rolling, slipping
 from hophoop.article.figures import FIGURES
 from hophoop.article.runs import Runs
@@ -84,8 +84,7 @@ SLOW_ONES = (("slow", 0.1), ("faster", 2.0))
 
 
 def test_hop_from_the_reference_data(numbers):
-    file = Path(__file__).parents[1] / "data" / "article_v3.1_mu1.json"
-    events = {event["kind"]: event for event in json.loads(file.read_text(encoding="utf-8"))["events"]}
+    events = {event["kind"]: event for event in json.loads(text_of("tests/data/article_v3.1_mu1.json"))["events"]}
     off, down = events["takeoff"], events["impact"]
     hops = numbers["hops"]
     for ours, reference in (
@@ -147,7 +146,7 @@ def test_law_of_the_slow_end_against_a_long_motion(runs, numbers):
 
 
 def test_the_page_tells_what_is_computed(numbers):
-    page = " ".join((Path(__file__).parents[2] / "docs" / "article.md").read_text(encoding="utf-8").split())
+    page = " ".join(text_of("docs/article.md").split())
     ends = numbers["ends_rolling"]
     assert f"{ends['excess_times_t_limit']:.3f} J s" in page
     assert f"below 1 cm/s after {ends['slip_below']['0.01']:.1f} s" in page

@@ -1,7 +1,5 @@
 """`hophoop prove`: what it prints and writes, and its exit status."""
 
-from __future__ import annotations
-
 import json
 from decimal import Decimal, localcontext
 

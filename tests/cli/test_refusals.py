@@ -26,6 +26,10 @@ REFUSED = {
         "lab --port 99999999": "--port = 99999999 must be",
         "lab --port many": "--port = 'many' must be a whole number, such as 3. See hophoop lab --help.",
         "lab hop.toml --film track.csv": "--film needs a fit",
+        "lab --docs ../": "--docs needs --export",
+        "lab --url https://hoop.example": "--url needs --export",
+        "lab --export lab --url hoop.example": "--url = 'hoop.example/' must be an address of http or https",
+        "lab --export lab --url 'https://hoop.example/\"><script>'": "--url = ",
         "plan --rate 0": "--rate = 0.0 must be a number above 0",
         "plan --sigma 5e-324": "--sigma = 5e-324 must be from 1e-30 to 1e+30",
         "plan --sigma-scale 5e-324": "--sigma-scale = 5e-324 must be from 1e-30 to 1e+30",
@@ -49,6 +53,7 @@ REFUSED = {
         "--omega 2": "--omega cannot be given without --vx",
         "--height 0.2": "--height cannot be given without --vx and --omega",
         "--radius -1": "--radius = -1.0 must be",
+        "--gravity -9.81": "Error: --gravity = -9.81 must be 0 or from 1e-06 to 1e+06 m/s².",
         "--mu -1": "--mu = -1.0 must be from 0 to 1e+06, or inf.",
         "--mu nan": "--mu = nan",
         "--slope-deg 200": "plane.slope = 3.49",  # the value is not the option's

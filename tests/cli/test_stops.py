@@ -1,7 +1,5 @@
 """Ctrl-C and SIGTERM are the last word of a command: one sentence, the status of the signal, nothing left behind."""
 
-from __future__ import annotations
-
 import os
 import signal
 import subprocess

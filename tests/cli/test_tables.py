@@ -1,7 +1,5 @@
 """Tables of all commands on narrow terminals: whole numbers, and a word on what is left out."""
 
-from __future__ import annotations
-
 import pytest
 from rich.console import Console
 

@@ -1,15 +1,16 @@
 """`hophoop track`, as a person or a script calls it."""
 
 import socket
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import hophoop as hh
 from cli_tools import done, run
-from film_maker import Film, article_like, make
+from film_maker import SMALL, article_like, make
 
-FILM = Film(size=(320, 192), scale=130.0, origin=(60.0, 170.0), frames=10, marker_size=0.05)
+FILM = replace(SMALL, frames=10)
 
 
 @pytest.fixture(scope="module")

@@ -2,13 +2,13 @@
 
 import ast
 import inspect
-from pathlib import Path
 
 import pytest
 
 import hophoop as hh
+from checkout import ROOT
 
-GALLERY = Path(__file__).parents[2] / "examples" / "gallery"
+GALLERY = ROOT / "examples" / "gallery"
 EXAMPLES = sorted(GALLERY.glob("*/plot_*.py"))
 
 

@@ -4,18 +4,16 @@ import dataclasses
 import inspect
 import math
 import re
-import sys
-from pathlib import Path
 
 import pytest
 
+from checkout import text_of
 from hophoop.results.records import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import paths
 from hophoop.vocabulary import names
 from hophoop.vocabulary.parameters import RANGES, Range
 from page_tools import options
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "docs" / "_ext"))
 generated = pytest.importorskip("generated", reason="the extra 'docs' is not installed")
 
 COMMANDS = ["run", "lab", "animate", "map", "track", "fit", "plan", "theory", "prove", "gait", "diagram", "reproduce"]
@@ -80,7 +78,7 @@ def test_every_field_of_a_result_has_a_line_with_its_unit(record):
 
 
 def test_the_tables_of_engines_are_those_of_the_kept_scores():
-    page = [(Path(__file__).parents[2] / "docs" / "engines.md").read_text(encoding="utf-8")]
+    page = [text_of("docs/engines.md")]
     generated.put_in(None, "engines", page)
     assert "| Drake 1.51.1 | 5/7 | −68 | −68 |" in page[0]
     assert "| Drake 1.51.1 | default, 1\u00a0ms | 5/7 | +2.5 | −68 |" in page[0]

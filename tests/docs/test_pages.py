@@ -4,22 +4,22 @@ import pkgutil
 import re
 import runpy
 import sys
-from pathlib import Path
 
 import pytest
 
 import hophoop as hh
+from checkout import ROOT
 from page_tools import COLUMNS, faults, visible, wide_lines, wrong_installs
 
-DOCS = Path(__file__).parents[2] / "docs"
+DOCS = ROOT / "docs"
 # They make films, or compile more kernels.
 LONG = [DOCS / f"{name}.md" for name in ("article", "films", "derivatives", "compliant", "proofs", "maps")]
 PAGES = [
-    pytest.param(page, id=page.relative_to(DOCS.parent).as_posix(), marks=[pytest.mark.slow] if page in LONG else [])
+    pytest.param(page, id=page.relative_to(ROOT).as_posix(), marks=[pytest.mark.slow] if page in LONG else [])
     for page in [
-        DOCS.parent / "README.md",
-        DOCS.parent / "CONTRIBUTING.md",
-        DOCS.parent / "SECURITY.md",
+        ROOT / "README.md",
+        ROOT / "CONTRIBUTING.md",
+        ROOT / "SECURITY.md",
         *sorted(DOCS.rglob("*.md")),
     ]
     if page.parent.name not in ("tables", "generated") and "gallery" not in page.parts
@@ -32,7 +32,7 @@ def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
     assert faults(page.read_text(encoding="utf-8"), page.name) == []
 
 
-EVERY = {page.values[0].relative_to(DOCS.parent).as_posix(): page.values[0].read_text(encoding="utf-8") for page in PAGES}
+EVERY = {page.values[0].relative_to(ROOT).as_posix(): page.values[0].read_text(encoding="utf-8") for page in PAGES}
 FOLDED = [name for name, text in EVERY.items() if name.startswith("docs/learn/") and visible(text) != text]
 
 
@@ -59,13 +59,13 @@ def test_code_is_as_wide_as_its_page_and_what_it_installs_can_be_had():
     for name in ("docs/install.md", "docs/learn/first-hop.md"):
         assert "source .venv/bin/activate" in EVERY[name]
         assert r".venv\Scripts\activate" in EVERY[name]
-    for path in DOCS.parent.glob("examples/gallery/**/plot_*.py"):
+    for path in ROOT.glob("examples/gallery/**/plot_*.py"):
         code = path.read_text(encoding="utf-8").split('"""', 2)[2]  # the text before wraps
         assert [line for line in code.splitlines() if len(line) > COLUMNS] == [], path
 
 
 def test_the_architecture_names_what_there_is():
-    text, root = EVERY["docs/architecture.md"], DOCS.parent / "src" / "hophoop"
+    text, root = EVERY["docs/architecture.md"], ROOT / "src" / "hophoop"
     names = [name for name in re.findall(r"`(\w+\.[\w.]*\w)`", text) if (root / name.partition(".")[0]).is_dir()]
     files = re.findall(r"`([\w/]+/[\w.]*)`", text)
     assert len(names) > 50
@@ -73,7 +73,7 @@ def test_the_architecture_names_what_there_is():
     for name in names:
         pkgutil.resolve_name(f"hophoop.{name}")
     for file in files:
-        assert any((place / file).exists() for place in (DOCS.parent, root, root / "kernel")), file
+        assert any((place / file).exists() for place in (ROOT, root, root / "kernel")), file
 
 
 @pytest.mark.parametrize(
@@ -104,7 +104,7 @@ def test_the_story_that_it_comes_from_is_linked(page):
 def test_the_moving_picture_is_the_computed_motion(tmp_path, monkeypatch):
     number = re.compile(r"-?\d*\.\d+")
     monkeypatch.setattr(sys, "argv", ["front_page.py", str(tmp_path / "hop.svg")])
-    runpy.run_path(str(DOCS.parent / "examples" / "front_page.py"))
+    runpy.run_path(str(ROOT / "examples" / "front_page.py"))
     drawn, kept = (path.read_text(encoding="utf-8") for path in (tmp_path / "hop.svg", DOCS / "_static" / "hop.svg"))
     assert number.split(drawn) == number.split(kept)
     values = [[float(value) for value in number.findall(text)] for text in (drawn, kept)]

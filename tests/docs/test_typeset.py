@@ -1,13 +1,9 @@
 """Formulas become MathML; what the converter does not know is not passed over."""
 
-import sys
-from pathlib import Path
-
 import pytest
 
 math_core = pytest.importorskip("math_core", reason="the extra 'docs' is not installed")
 pytest.importorskip("sphinx", reason="the extra 'docs' is not installed")
-sys.path.insert(0, str(Path(__file__).parents[2] / "docs" / "_ext"))
 import typeset  # noqa: E402
 
 

@@ -15,8 +15,9 @@ from adapters.hophoop import run as exact
 from record import Record, record_text
 from truth import job, scored, truths
 
-ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+from checkout import text_of
+
+PAGE = text_of("docs/engines.md")
 KEPT = json.loads(table.KEPT.read_text(encoding="utf-8"))
 HOP = truths()["hop"]
 # What a number may be off with another processor or mathematical library: the motion after many contacts, and thus the error
@@ -63,7 +64,7 @@ def test_the_kept_table_is_that_of_the_engines():
 
 def test_the_figure_of_the_page_shows_the_hops_of_the_table():
     """A panel for each engine, with its errors at 1 ms."""
-    words = re.findall(r"<!-- (.+) -->", (ROOT / "docs" / "figures" / "engines-hops.svg").read_text(encoding="utf-8"))
+    words = re.findall(r"<!-- (.+) -->", text_of("docs/figures/engines-hops.svg"))
     for name, one in KEPT["engines"].items():
         drawn = [table.hop_words(row["scores"]["hop_height"]) for row in table._shown_hops(KEPT["rows"], name)]
         place = words.index(one["title"])
@@ -129,16 +130,14 @@ def test_what_is_not_installed_or_known_is_said(monkeypatch, capsys):
 
 def test_the_example_of_the_page_is_scored(tmp_path, capsys):
     """Its program runs without hophoop, in its own process; the page shows what its scores are."""
-    subprocess.run([sys.executable, "-I", "-S", str(run.HERE / "example.py"), str(tmp_path)], check=True)
+    alone = tmp_path / "alone"
+    for words in ([tmp_path], [alone, "--only", "rolling"]):
+        subprocess.run([sys.executable, "-I", "-S", run.HERE / "example.py", *words], check=True)
+    assert [path.name for path in alone.iterdir()] == ["rolling.csv"]
     score.main(sorted(str(path) for path in tmp_path.glob("*.csv")))
     printed = capsys.readouterr().out
     assert printed.splitlines()[-1] == "6 of 7 right"
     assert printed in PAGE
-
-
-def test_the_example_writes_one_motion_alone(tmp_path):
-    subprocess.run([sys.executable, "-I", "-S", str(run.HERE / "example.py"), str(tmp_path), "--only", "rolling"], check=True)
-    assert [path.name for path in tmp_path.iterdir()] == ["rolling.csv"]
 
 
 def test_the_next_engines_stand_beside_a_score():
