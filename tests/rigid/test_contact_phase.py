@@ -1,45 +1,19 @@
-"""Rolling and slip step by step: what is carried from turn to turn, rest, and what follows a turning point."""
+"""Rolling and slip step by step: rest, and what follows slow motion and slip without rotation."""
 
 from __future__ import annotations
 
 import math
 
-import numpy as np
 import pytest
-from mpmath import mp, mpf
 
-from hophoop.kernel.numerics.collocation import lagrange
-from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.panels.anchor import offset_from, rolling_anchor
-from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, no_panel
 from hophoop.kernel.physics.body import Event, Status
 from hophoop.kernel.physics.contact import torque_at_rest
 from hophoop.kernel.rigid import contact_phase
 from hophoop.kernel.rigid.phase import Ending, begin_phase
-from rigid.tools import FLIGHT, ROLL, SKID, SPIN, body_of, limits, motion_of, moves, sines_of, state_of, written
+from rigid.tools import ROLL, SKID, SPIN, body_of, limits, motion_of, moves, sines_of, state_of, written
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
 SIDES = pytest.mark.parametrize("side", [1, -1])
-
-
-def exactly(turns, high, low):
-    return 2 * mp.pi * int(turns) + mpf(float(high)) + mpf(float(low))
-
-
-@pytest.mark.parametrize("th", [6.0, -6.0])
-@pytest.mark.parametrize("om", [0.0, 3.0])
-def test_an_angle_counted_in_the_next_turn_is_the_same(th, om):
-    """θ to 30 digits, and ψ from the equilibrium of the phase, in a valley or on a hilltop."""
-    body = body_of(slope=0.3)
-    begin = state_of(2.5, om, revolutions=5.0)
-    anchor = rolling_anchor(body, begin, *sines_of(begin))
-    assert anchor.bend * (om - 1.0) > 0.0
-    before = state_of(0.0, om, revolutions=5.0, th=th, th_low=3e-17)
-    after = contact_phase.normalize_turns(before)
-    with mp.workdps(40):
-        assert abs(exactly(after.revolutions, after.th, after.th_low) - exactly(5, th, 3e-17)) < 1e-30
-    assert after.revolutions == 5.0 + math.copysign(1.0, th)
-    assert offset_from(anchor, after) == pytest.approx(offset_from(anchor, before), rel=1e-15)
 
 
 # rest
@@ -159,16 +133,6 @@ def test_a_swing_within_the_rounding_of_the_angle_turns_before_it_rests():
 # motion
 
 
-@pytest.mark.parametrize(("kind", "end"), [(LINEAR, 3.0), (ARRIVE, 1.0), (LEAVE, -1.0)])
-def test_a_small_square_of_the_speed_has_its_digits_beside_a_turning_point(kind, end):
-    """θ̇² = s² (1 + ξ/4), where s vanishes at the turning point."""
-    weights, panel = np.empty(16), no_panel(kind, 0, 1.0)
-    for xi in (-0.75, 0.3, -1.0 + 1e-7, 1.0 - 1e-7):
-        lagrange(xi, weights)
-        found = contact_phase.square_rate_inside(panel, xi, weights, (end - NODES) ** 2 * (1.0 + 0.25 * NODES))
-        assert found == pytest.approx((end - xi) ** 2 * (1.0 + 0.25 * xi), rel=1e-13, abs=0.0)
-
-
 def test_what_hardly_moves_is_followed_in_panels_of_the_time_that_there_is():
     """A ring rolls on as it is in one panel; beside the top δ cosh λt, λ² = ε/(κ + (1 + ε)²), needs a narrow one."""
     for om in (1e-9, -1e-5):
@@ -198,34 +162,3 @@ def test_after_slip_without_rotation_comes_what_the_mode_rule_says(side):
         phase = begin_phase(mode, state, Ending.CONTINUES)
         found, events, _, _ = written(contact_phase.still_step, body, phase, state, limits(state, 50.0))
         assert (found.mode, moves(events)) == (after, [(kind, mode, after)])
-
-
-@pytest.mark.parametrize(("ending", "slips"), [(Ending.CONE_FORWARD, SPIN), (Ending.CONE_BACKWARD, SKID)])
-def test_after_rolling_that_needs_all_friction_it_slips_against_it_or_flies(ending, slips):
-    """It flies where ε θ̇² > g at the top; v_t begins with its second derivative where the friction is the same in slip."""
-    for om, mode, kind in ((0.5, slips, Event.SLIP_START), (2.0, FLIGHT, Event.TAKEOFF)):
-        for mu_k, vanishing in ((0.5, 2), (0.25, 1)):
-            body, state = body_of()._replace(mu_k=mu_k), state_of(0.0, om)
-            after, events, _, _ = written(
-                contact_phase.after_rolling, body, begin_phase(ROLL, state, Ending.CONTINUES), ending, state
-            )
-            assert (after.mode, moves(events)) == (mode, [(kind, ROLL, mode)])
-            assert contact_phase.vanishing_slip_derivatives(body, after) == vanishing
-
-
-@SIDES
-def test_where_rolling_or_slip_turns_with_a_couple_it_rests_goes_on_or_slips(side):
-    """Rolling by the torque ε sin θ against f, and by tan of the angle of the force against μ."""
-    mode, slip = (SKID, SPIN) if side > 0 else (SPIN, SKID)  # the load drives the rim that it turns
-
-    def turned(mode, th, vt=0.0, mu=0.5):
-        state, body = state_of(side * th, 0.0, vt), body_of(mu=mu, rolling_resistance=0.125)
-        arguments = body, begin_phase(mode, state, Ending.CONTINUES)._replace(begins=False), limits(state, 8.0)
-        after, events, _, _ = written(contact_phase.turning_point_step, *arguments)
-        return after.mode, after.status, after.begins, moves(events)
-
-    turn = (Event.TURN, ROLL, ROLL)
-    assert turned(ROLL, 0.1) == (ROLL, Status.AT_REST, False, [(Event.REST, ROLL, ROLL)])
-    assert turned(ROLL, 1.0) == (ROLL, -1, False, [turn])
-    assert turned(ROLL, 1.0, mu=0.125) == (slip, -1, True, [turn, (Event.SLIP_START, ROLL, slip)])
-    assert turned(mode, 2.0, 0.5 * side) == (mode, -1, False, [(Event.TURN, mode, mode)])

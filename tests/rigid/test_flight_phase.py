@@ -8,7 +8,6 @@ import pytest
 
 from hophoop.kernel.panels.panel import FLY
 from hophoop.kernel.physics.body import Event, Mode, Status
-from hophoop.kernel.records.layout import STOP_AT_TAKEOFF
 from hophoop.kernel.rigid import flight_phase
 from hophoop.kernel.rigid.phase import GOING, Ending, begin_phase
 from rigid.tools import FLIGHT, ROLL, SKID, SPIN, body_of, limits, motion_of, moves, state_of, written
@@ -51,24 +50,6 @@ def test_a_flight_that_cannot_be_followed_lands_at_once_or_is_given_up():
         state = state_of(0.5, om, 1e4, y=2.0, vn=1e6 + 0.75 * om * math.sin(0.5))
         ending, after, _ = fly(state, limits(state, 1e12))
         assert (ending, (after.t - state.t) * abs(om)) == (Ending.SEARCH_LIMIT, pytest.approx(flight_phase.LONGEST_FLIGHT))
-
-
-def test_a_flight_step_ends_as_it_takes_off_or_lands():
-    """A hoop that was thrown at t = 0 did not take off; a landing gives the bounce that the next is compared with."""
-
-    def step(state, stop=0, restitution=0.0):
-        arguments = begin_phase(FLIGHT, state, Ending.LANDING), limits(state, stop=stop)
-        after, events, _, _ = written(flight_phase.flight_step, body_of(restitution=restitution), *arguments)
-        return after, events["kind"].tolist()
-
-    for time in (1e-9, 1.5):
-        state = state_of(0.5, vn=0.5, t=time)
-        after, kinds = step(state, STOP_AT_TAKEOFF)
-        assert (after.state, after.mode, after.status, kinds) == (state, FLIGHT, Status.COMPLETED, [])
-    assert step(state_of(0.5, y=0.5, vn=0.5), STOP_AT_TAKEOFF)[1] == [Event.APEX, Event.IMPACT]
-    for restitution in (0.0, 0.5):
-        after, kinds = step(state_of(0.5, y=0.5), 0, restitution)
-        assert (kinds, after.ending, after.state.vn) == ([Event.IMPACT], Ending.LANDING, pytest.approx(restitution))
 
 
 @pytest.mark.parametrize("ratio", [0.0625, 0.5, 0.99])

@@ -12,18 +12,6 @@ import invariants
 
 MASSLESS = hh.Hoop(eccentricity=1.0, inertia_ratio=0.0)
 ONCE = {
-    "a false jam: slip stops just before p_σ = 0": (
-        hh.Hoop(eccentricity=0.79594489775011, inertia_ratio=0.020647517490374176),
-        hh.Plane(slope=0.4075715758006839, mu_static=0.5235644207101874, mu_kinetic=0.3855999705760886),
-        hh.Start(angle=1.1526905230864948, vx=2.3598820998676766, omega=-0.4148122693817507),
-    ),
-    "undetermined at a turning point": (hh.Hoop(), hh.Plane(mu=1.0), hh.Start.rolling(-1.0, angle=2.0)),
-    "6e-9 off: a turning point from a panel that does not resolve it": (
-        hh.Hoop.ideal(0.8937595148137446, radius=0.16626324744599907, mass=0.21584739661929603),
-        hh.Plane(slope=-0.20733827155436935, mu=0.5018648227533329),
-        hh.Start(angle=0.41739713482464946, vx=0.49603212084478177, omega=4.184181065559784),
-    ),
-    "stuck far from v_t = 0": (hh.Hoop(), hh.Plane(mu=0.5), hh.Start(angle=math.pi, omega=8.0)),
     "without end": (hh.Hoop.ideal(1 - 1e-5), hh.Plane(mu=1.0), hh.Start.rolling(1.0)),
     "a start too slow for the tables of panels": (
         hh.Hoop.ideal(0.5), hh.Plane(mu=0.0, slope=1.0), hh.Start.rolling(1e-9, angle=1.0),

@@ -7,9 +7,8 @@ import math
 import pytest
 from mpmath import mp, mpf
 
-from hophoop.kernel.numerics.arithmetic import revolutions_and_rest
 from hophoop.kernel.rigid.flight_phase import flight_start
-from hophoop.kernel.rigid.phase import angle_left, at_span, limits_at_angle
+from hophoop.kernel.rigid.phase import angle_left, at_span
 from rigid.tools import body_of, limits, state_of
 
 TURN = 2.0 * math.pi
@@ -54,24 +53,6 @@ def test_the_angle_that_is_left_is_the_span_less_what_is_turned(way, span):
     state = start._replace(th=0.25 + way * 2.0**-30, th_low=-1e-17)
     left = float(angle_left(limits(start, span=2.0**-30), state, way))
     assert left == pytest.approx(way * 3e-17, rel=1e-7, abs=0.0)  # the low parts count
-
-
-@pytest.mark.parametrize("angle", [0.0, 1.5, -3.0, math.pi, 1e3, -1e6])
-@pytest.mark.parametrize("at", [0.25, 3.0, -2.9, 5 * TURN - 1.0])
-def test_a_motion_ends_at_the_next_passage_of_an_angle_on_either_side(angle, at):
-    """One that starts at the angle itself, also if rounding moved it, is a revolution from it on both sides until it leaves."""
-    turns, th, low = revolutions_and_rest(angle)
-    for start, near in ((state_of(at), False), (state_of(0.0, revolutions=turns - 3, th=th, th_low=low + 1e-15), True)):
-        given = limits_at_angle(start, 9.0, angle)
-        assert (given.t_end, given.stop, given.landings) == (9.0, 0, 0)
-        ahead = (angle - at) % TURN
-        for way, left in ((1.0, TURN if near else ahead), (-1.0, TURN if near else TURN - ahead)):
-            assert float(angle_left(given, start, way)) == pytest.approx(left, abs=1e-13 + 1e-16 * abs(angle))
-            found = at_span(given, start, way)
-            with mp.workdps(40):
-                beyond = (exactly(found) - mpf(angle)) / (2 * mp.pi)
-                assert abs(beyond - mp.nint(beyond)) < 1e-29 + abs(angle) * 1e-32
-            assert abs(found.th) <= TURN
 
 
 def test_how_a_flight_opens():

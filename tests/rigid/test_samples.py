@@ -1,4 +1,4 @@
-"""Samples between events: slip without rotation by hand, and where a time falls among segments and on a panel."""
+"""Samples between events and at them: slip without rotation and rest by hand, and which side of an event a sample is on."""
 
 from __future__ import annotations
 
@@ -8,75 +8,28 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.kernel.numerics.tables import NODES
-from hophoop.kernel.panels.panel import HOLD
-from hophoop.kernel.physics.body import Mode
-from hophoop.kernel.records.layout import COLUMNS, SEGMENT, new_scratch
-from hophoop.kernel.records.writing import find_segment
-from hophoop.kernel.rigid.sampling import sample, xi_at_time
 from random_scenarios import draw, scenario_of
 
 
-def test_a_time_at_a_border_is_in_the_segment_before_or_after():
-    begins = np.array([0.0, 1.0, 2.0])
-    for t, before, after in ((0.0, 0, 0), (0.5, 0, 0), (1.0, 0, 1), (1.5, 1, 1), (2.0, 1, 2), (9.0, 2, 2)):
-        assert find_segment(begins, t, True) == before
-        assert find_segment(begins, t, False) == after
-
-
-def test_the_place_of_a_time_on_a_panel():
-    """On one that takes 2 and is left at its end or inside; beside the ends the rounding of the series is not asked."""
-    for end in (1.0, 0.5):
-        segment, scratch = np.zeros(1, SEGMENT)[0], new_scratch()
-        segment["xi"] = end
-        for tau, place in ((1e-20, -1.0), (-1e-9, -1.0), (0.25, -0.75), (1.25, 0.25), (2.0, end), (2.5, end)):
-            assert xi_at_time(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)
-
-
-def body_of(eps, kap, **plane):
-    return hh.Scenario(hoop=hh.Hoop(eccentricity=eps, inertia_ratio=kap), plane=hh.Plane(**plane)).to_body()
-
-
-BEGIN, BEFORE = 2.0**52, 0.25  # a time at which doubles are 1 apart; the segment begins a quarter before it
-MOVING = {
-    "x": 3.0,
-    "revolutions": 2.0,
-    "friction": 0.25,
-    "impact_normal": 0.5,
-    "impact_tangential": 0.75,
-    "rolling_resistance": 1.5,
-}
-
-
-def sampled(body, left=False, tau=2.0, **values):
-    """A sample of a segment by the names of its columns."""
-    segments, out = np.zeros(1, SEGMENT), np.empty((1, len(COLUMNS)))
-    segments["t"], segments["t_low"], segments["t_end"] = BEGIN, -BEFORE, BEGIN + tau
-    for name, value in values.items():
-        segments[name] = value
-    sample(body, segments, np.array([BEGIN + tau]), left, out)
-    return dict(zip(COLUMNS, out[0].tolist(), strict=True))
-
-
-@pytest.mark.parametrize(("mode", "sigma", "slip"), [(Mode.SKID, 1, 7.0), (Mode.SPIN, -1, -7.0), (Mode.ROLL, 0, 0.0)])
-def test_a_sample_of_a_hoop_that_does_not_turn(mode, sigma, slip):
-    """Slip with a constant force, or rest; after some 100 million years and two turns, and some losses."""
-    body = body_of(0.5, 0.75, mu=0.5, slope=0.25)
-    rate = math.sin(0.25) - sigma * 0.5 * math.cos(0.25) if sigma else 0.0
-    found = sampled(body, mode=mode, kind=HOLD, sigma=sigma, slip=slip, theta=0.5, **MOVING)
-    tau = 2.0 + BEFORE
-    slid = slip * tau + 0.5 * rate * tau**2
-    expected = {
-        "mode": mode, "x": 3.0 + slid, "height": 0.0, "angle": 4.0 * math.pi + 0.5, "vx": slip + rate * tau, "vy": 0.0,
-        "omega": 0.0, "slip": slip + rate * tau, "normal_force": math.cos(0.25),
-        "friction_force": -sigma * 0.5 * math.cos(0.25) if sigma else -math.sin(0.25),
-        "friction": 0.25 + abs(0.5 * math.cos(0.25) * slid), "impact_normal": 0.5, "impact_tangential": 0.75,
-        "theta": 0.5, "theta_low": 0.0, "rolling_resistance": 1.5,
-    }  # fmt: skip
-    energies = found.pop("kinetic"), found.pop("potential")
-    assert found == pytest.approx(expected, rel=1e-15)
-    fallen = 0.5 * (math.cos(0.5) - 1.0) * math.cos(0.25) - (3.0 + slid + 0.5 * math.sin(0.5)) * math.sin(0.25)
-    assert energies == pytest.approx((0.5 * (slip + rate * tau) ** 2, fallen), rel=1e-13)
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_hoop_that_does_not_turn_slides_and_rests(side):
+    """The couple holds it on a slope: gravity and friction slow it down evenly, until friction holds it as well."""
+    hoop = hh.Hoop(radius=0.5, mass=2.0, eccentricity=0.5, inertia_ratio=0.6)
+    plane = hh.Plane(mu=0.2, slope=0.1, rolling_resistance=0.9)
+    motion = hh.simulate(hoop, plane, hh.Start(x=3.0, angle=0.3, vx=side * 2.0), duration=9.0)
+    assert (motion.sequence[-1], motion.status) == ("R", "at_rest")
+    load, pull = 2.0 * 9.81 * math.cos(0.1), 2.0 * 9.81 * math.sin(0.1)
+    speed = side * 2.0 + 0.5 * (pull - side * 0.2 * load) * 0.25
+    slid = 0.25 * (side * 1.0 + 0.5 * speed)
+    fallen = load * (math.cos(0.3) - 1.0) * 0.25 - pull * (3.0 + slid + 0.25 * math.sin(0.3))
+    for t, way, forces in ((0.25, slid, (load, -side * 0.2 * load)), (9.0, None, (load, -pull))):
+        found = motion.at(t)
+        assert (found.angle, found.omega, found.height, found.vy) == (0.3, 0.0, 0.0, 0.0)
+        assert (found.normal_force, found.friction_force) == pytest.approx(forces, rel=1e-14)
+        if way:
+            assert found.vx == found.slip == pytest.approx(speed, rel=1e-14)
+            assert (found.x, found.friction) == pytest.approx((3.0 + way, 0.2 * load * abs(way)), rel=1e-14)
+            assert (found.kinetic, found.potential) == pytest.approx((speed**2, fallen), rel=1e-13)
 
 
 @pytest.mark.parametrize("speed", [0.3, -1.7, 3.1])
