@@ -1,9 +1,9 @@
-"""Derivatives of a motion by differences of motions on either side, with steps halved until they agree."""
+"""Derivatives of a motion by differences of motions on either side, with steps halved until they agree; where it changes."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -102,3 +102,13 @@ def compare_derivatives(scenario: hh.Scenario) -> tuple[list[str], int]:
             wrong += [f"{names[i]} by {path} to {side:+.0f}: {rates[i]}, not {true[i]}" for i in np.flatnonzero(off)]
             count += int(both.sum())
     return wrong, count
+
+
+def halved(low: float, high: float, is_low: Callable[[float], bool]) -> tuple[float, float]:
+    """Neighbouring doubles between which something changes; the first of them is low."""
+    assert is_low(low)
+    assert not is_low(high)
+    while math.nextafter(low, high) < high:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if is_low(middle) else (low, middle)
+    return low, high

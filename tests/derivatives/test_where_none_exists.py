@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from differences import halved
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from hophoop.kernel.native import forced
@@ -130,16 +131,6 @@ def test_restitution_that_is_zero_and_a_hoop_that_rests_where_it_lands():
     assert motion.status == "at_rest"
     assert np.isnan(motion.sensitivity(["at(0.45).angle", "end.x"], "plane.restitution").larger).all()
     assert np.isnan(motion.uncertainty({"plane.restitution": 0.1}).at(0.45).x).all()
-
-
-def halved(low, high, is_low, turns=54):
-    """The last numbers on either side of where something changes."""
-    assert is_low(low)
-    assert not is_low(high)
-    for _ in range(turns):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if is_low(middle) else (low, middle)
-    return low, high
 
 
 @pytest.fixture(scope="module")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable
 from typing import Any
 
 import pytest
 
 import hophoop as hh
+from differences import halved
 from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.results.propagation import propagate
 from hophoop.vocabulary.parameters import TABLE
@@ -100,14 +100,6 @@ OTHERS = [
 def test_nothing_is_said_beyond_an_event_that_another_one_follows(query: str, path: str, count: int) -> None:
     found = of(hh.Scenario.from_query(query), path)
     assert (len(found["events"]), found["edge"], found["sided"]) == (count, True, False)
-
-
-def halved(low: float, high: float, is_low: Callable[[float], bool]) -> tuple[float, float]:
-    """Neighbouring doubles, of which the first is low."""
-    while math.nextafter(low, high) < high:
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if is_low(middle) else (low, middle)
-    return low, high
 
 
 def test_nothing_is_said_beyond_a_touch_that_a_little_more_avoids() -> None:

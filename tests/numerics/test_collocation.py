@@ -1,11 +1,17 @@
-"""Panels' arithmetic against NumPy's: sums, exponentials, series, and the first fall through zero."""
+"""Panels' tables against the generator, their arithmetic against NumPy's: sums, series, the first fall through zero."""
 
 import numpy as np
 import pytest
 from numpy.polynomial import Polynomial, chebyshev
 
 from hophoop.kernel.numerics import collocation as col
+from hophoop.kernel.numerics import tables
 from hophoop.kernel.panels import panel
+from kernel_tables import text
+
+
+def test_the_tables_are_those_of_the_generator():
+    assert tables.FILE.read_bytes() == text().encode()
 
 
 def cheb(polynomial):

@@ -8,7 +8,7 @@ from mpmath import mp, mpf
 
 from hophoop.kernel.physics import contact
 from newton_euler import BODIES, STATES, accelerations, case_of, responses
-from oracles import mechanics, series
+from oracles import series
 
 
 def near(value):
@@ -35,20 +35,6 @@ def test_forces(body, f, th, om):
         # N = −f_n/p_σ
         for stiffness in (contact.kappa_p_sigma(body, s, c, sigma, rho), contact.slip_coefficients(body, s, c, sigma, rho)[1]):
             assert normal * stiffness == near(-opening * body.kap)
-
-
-@pytest.mark.parametrize("body", BODIES)
-@pytest.mark.parametrize("f", [0.03, 0.4, 1.0])
-def test_at_rest_the_couple_holds_what_it_can(body, f):
-    body = body._replace(resist=f)
-    for th in np.linspace(-3.0, 3.0, 61):
-        s, c = math.sin(th), math.cos(th)
-        for sigma, mode, letter in ((0, "roll", mechanics.ROLL), (1, 1, mechanics.SKID), (-1, -1, mechanics.SPIN)):
-            *_, normal, couple = mechanics.solve_mode(case_of(body, f), letter, th, 0.0)
-            rho = contact.resistance_arm(body, s, c, 0.0, sigma)
-            assert rho == near(min(max(-couple / normal, -f), f))
-            alpha = accelerations(body, th, 0.0, mode, rho)[2]
-            assert contact.acceleration_in_contact(body, s, c, 0.0, sigma) == near(alpha)
 
 
 @pytest.mark.parametrize(("eps", "kap"), [(0.75, 0.4375), (0.99, 0.0199), (1.0, 1e-4)])

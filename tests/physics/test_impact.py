@@ -1,7 +1,6 @@
-"""Impacts: against exact fractions, and against the response of a rigid body to impulses."""
+"""Impacts against the response of a rigid body to impulses; precise/test_impact.py has them in exact fractions."""
 
 import math
-from fractions import Fraction as Q
 
 import numpy as np
 import pytest
@@ -11,33 +10,6 @@ from hophoop.kernel.physics import impacts as impact
 from hophoop.kernel.physics.body import Body
 from hophoop.kernel.physics.contact import slip_coefficients
 from newton_euler import BODIES, responses
-from oracles import rational
-
-CONTACTS = [  # ε, κ, sin θ, cos θ, μs, μk
-    "1/2 39/100 -4/5 3/5 1/4 1/4",  # sticks at the limit
-    "1/2 39/100 -4/5 3/5 1/8 1/8",  # slip turns round
-    "2/5 3/5 3/5 4/5 2 1",
-    "2/3 1/4 5/13 -12/13 1/3 1/5",
-    "0 1/2 0 1 2/5 2/5",  # a disk
-    "1/5 1/2 -3/5 4/5 2/5 2/5",
-]
-VELOCITIES = [(-1, -3, 0), (2, -1, 1), (1, -2, 1), (0, -1, 3), (0, -2, 3)]  # the last stops slipping in restitution
-
-
-@pytest.mark.parametrize("numbers", CONTACTS)
-@pytest.mark.parametrize(("law", "name"), [(0, "newton"), (1, "poisson"), (2, "stronge")])
-def test_against_fractions(numbers, law, name):
-    contact = rational.Contact(*map(Q, numbers.split()))
-    eps, kap, sine, cosine, mu_s, mu_k = (float(Q(number)) for number in numbers.split())
-    for rest in (Q(0), Q(1, 2)):
-        body = Body(eps, kap, mu_s, mu_k, 1.0, 0.0, float(rest), law, False, 0.0)
-        for vx, vy, om in VELOCITIES:
-            found = impact.impact(body, float(rest), sine, cosine, float(vx - om), float(vy))
-            exact = rational.collide(contact, (Q(vx), Q(vy), Q(om)), rest, name)
-            after, pushed = exact["velocity"], exact["impulse"]
-            expected = (after[0] - after[2], after[1], after[2] - om, pushed["normal"], pushed["tangential"])
-            expected = [float(one) for one in (*expected, exact["loss_normal"], exact["loss_tangential"])]
-            assert found == pytest.approx(expected, rel=1e-12, abs=1e-12), (rest, vx, vy, om)
 
 
 @pytest.mark.parametrize("law", [0, 1, 2])

@@ -1,7 +1,5 @@
 """Mass properties of hoops assembled from parts, as rows of numbers; scenario/test_scenario.py has each shape."""
 
-import math
-
 import numpy as np
 import pytest
 
@@ -30,10 +28,3 @@ def test_parts_in_one_place_are_a_point_there():
         assert cells.combined(radius, parts)[1:] == (at / radius, 0.0)
     for at in (1.0 + 1e-12, -1.0 - 1e-12):
         assert cells.combined(1.0, np.array([[cells.POINT_MASS, 2.0, 0.0, 0.0, at]])) == (2.0, 1.0, 0.0)
-
-
-def test_the_ideal_hoop_is_a_ring_and_a_point():
-    for gamma in (0.1, 0.75, 0.99):
-        parts = np.array([[cells.RING, 1.0 - gamma, 1.0, 1.0, 0.0], [cells.POINT_MASS, gamma, 0.0, 0.0, 1.0]])
-        assert cells.combined(1.0, parts) == pytest.approx((1.0, gamma, cells.ideal_inertia(gamma)), rel=1e-14)
-        assert cells.ideal_inertia(gamma) == pytest.approx(math.fsum([1.0, -gamma * gamma]), rel=1e-14)

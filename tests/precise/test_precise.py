@@ -167,15 +167,6 @@ def test_graze_by_a_hair(digits):
         assert (len(motion.sequence) > 1) == (mpf(mu) < exact)
 
 
-def test_minute_phases_are_found():
-    """A roll of 8e-14 s between two slips, once the end of the motion."""
-    motion = rolling(1.0421218631155353, 0.2511102238185704, duration=6.0)
-    assert motion.sequence.startswith("RSRKRSRKR")
-    stick, slip = motion.events[6:8]
-    assert (stick.kind, slip.kind) == ("stick", "slip_start")
-    assert Decimal("1e-14") < slip.t - stick.t < Decimal("1e-12")
-
-
 @pytest.mark.parametrize("offset", [1e-15, 5e-15, -1e-12])
 def test_beside_an_unstable_equilibrium_it_moves(offset):
     """θ grows as cosh(λ t) at first, λ² = γ g/(2 R (1 + γ)) in rolling."""

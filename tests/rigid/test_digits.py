@@ -62,6 +62,10 @@ MOTIONS = {
         hh.Plane(slope=-0.20733827155436935, mu=0.5018648227533329),
         hh.Start(angle=0.41739713482464946, vx=0.49603212084478177, omega=4.184181065559784), 0.5, 14.5,
     ),
+    "an impact on infinite friction, in which an impulse along the plane changes v_t by 10¹² times itself": Asked(
+        hh.Hoop.ideal(1.0 - 1e-12), hh.Plane(mu=math.inf, restitution=0.5),
+        hh.Start(angle=-2.0, vx=1.5, vy=-2.0, omega=-1.0), 0.05, 14.5,
+    ),
     # beside the edge of where the couple holds the hoop: the start has no more digits than its angle, beside the offset
     "pushed over the edge": Asked(
         hh.Hoop.ideal(0.75), RESISTED, hh.Start.rolling(1e-6, angle=math.asin(0.02 / 0.75)), 40.0, 12.5,

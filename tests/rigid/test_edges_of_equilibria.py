@@ -9,6 +9,7 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
+from differences import halved
 from hophoop.kernel.numerics import arithmetic
 
 
@@ -73,17 +74,16 @@ def test_other_slow_motions_lose_digits_or_are_in_doubt(scenario, until, t, erro
     assert bool(motion.doubt < motion.duration) is (error == math.inf)
 
 
-def slowest_at_the_top(plane, angle, slip, low=0.5, high=12.0):
+def slowest_at_the_top(plane, angle, slip):
     """The smallest θ̇ of a start at an angle before the top with which the hoop passes it, and the start."""
 
     def start(omega):
         return hh.Start(angle=angle, vx=omega + slip, omega=omega)
 
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        motion = hh.simulate(hh.Hoop(), plane, start(middle), duration=60.0, until="angle:0.3")
-        low, high = (low, middle) if motion.events[-1].angle > 0.25 else (middle, high)
-    return start, high
+    def turns_back(omega):
+        return hh.simulate(hh.Hoop(), plane, start(omega), duration=60.0, until="angle:0.3").events[-1].angle <= 0.25
+
+    return start, halved(0.5, 12.0, turns_back)[1]
 
 
 @pytest.mark.long

@@ -192,16 +192,6 @@ def test_the_rounding_of_the_friction_that_rolling_needs(om):
 
 
 @BOTH_WAYS
-def test_without_a_limit_of_friction_rolling_ends_ahead(way):
-    """Both sides of the cone are N = 0 then; the mirrored motion comes to the mirrored side."""
-    body = body_of(0.9, 0.2, mu=math.inf)
-    panel, _, scratch = rolled(body, way * 0.5, way * 0.75)
-    xi, what = panel_events.end_of_rolling(body, panel, state_of(0.0), False, scratch)
-    assert abs(xi) < 1.0
-    assert what == (Ending.CONE_FORWARD if way > 0.0 else Ending.CONE_BACKWARD)
-
-
-@BOTH_WAYS
 def test_a_panel_ends_at_the_angle_or_the_time_that_is_the_limit(way):
     """Of a ring that rolls at the speed of 1 on a panel of 0.9 rad: whichever is first; at once the contact, angle, time."""
 

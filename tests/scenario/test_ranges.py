@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import get_args
 
-import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.scenario.checking import Frozen, Number, field_of
-from hophoop.vocabulary.parameters import PARAMETERS, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
+from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 from strategies import said
 
 # how a scenario with this value is built; what is not here follows the path itself
@@ -59,32 +56,6 @@ def test_both_ends_are_allowed_and_beyond_them_is_refused_in_a_sentence(path):
         name = path.rpartition(".")[2]
         named = (name, "radius", "mass") if path.startswith("hoop.parts") else (name,)
         assert any(f"{word} = {value!r} must" in text for word in named), text
-
-
-MODELS = (hh.Scenario, hh.Hoop, hh.Plane, hh.Start, hh.Rigid, hh.Compliant, hh.Ring, hh.Disk, hh.PointMass, hh.Rod)
-NUMBERS = {f"{model.place}{name}": field for model in MODELS for name, field in model.model_fields.items()
-           if {float, int} & {field.annotation, *get_args(field.annotation)}}  # fmt: skip
-
-
-@pytest.mark.parametrize("path", NUMBERS)
-def test_a_number_is_checked_by_the_mark_of_its_field(path):
-    """With the range of its row; the slope has two rules of the kernel, which say more."""
-    (mark,) = [item for item in NUMBERS[path].metadata if isinstance(item, Number)]
-    if path in PARAMETERS and path != "plane.slope":
-        assert mark == Number(PARAMETERS[path].range, PARAMETERS[path].unit)
-        assert mark.range is not None
-
-
-@pytest.mark.parametrize("kind", [float, float | None, int, int | None])
-def test_the_range_of_a_row_holds_whatever_the_type_of_its_field(kind):
-    model = type(
-        "Own", (Frozen,), {"__annotations__": {"gravity": kind}, "gravity": field_of("plane.gravity"), "place": "plane."}
-    )
-    assert model(gravity=np.float32(1.0)).gravity == 1.0
-    for value, allowed in ((-1, "0 or from 1e-06 to 1e+06 m/s²"), (True, "a number"), ("1", "a number")):
-        assert said(lambda value=value: model(gravity=value)) == f"own.gravity = {value!r} must be {allowed}."
-    wrong = "finite" if kind in (float, float | None) else "whole"
-    assert said(lambda: model(gravity=math.nan)) == f"own.gravity = nan must be a {wrong} number."
 
 
 def test_the_schema_has_the_ranges():

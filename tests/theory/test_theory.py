@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp, mpf
-from scipy import integrate
 
 import hophoop as hh
 from hophoop import theory
@@ -162,14 +161,6 @@ def test_a_hoop_that_leaves_the_plane_has_no_time_of_rolling():
     assert pulls.any()
     np.testing.assert_array_equal(np.isnan(theory.rolling_time(late, light, 1.0)), [False, True, True])
     assert math.isnan(theory.rocking_period(0.1, light))
-
-
-def test_time_on_a_slope_is_the_integral():
-    def rate(theta):
-        return 1.0 / theory.rolling_speed(theta, GENERAL, 0.4, DOWNHILL)
-
-    expected, _ = integrate.quad(rate, 0.0, 5.0, epsabs=0, epsrel=1e-13, limit=400)
-    assert theory.rolling_time(5.0, GENERAL, 0.4, DOWNHILL) == pytest.approx(expected, rel=1e-12)
 
 
 def test_rest_and_start_from_rest():
