@@ -1,7 +1,5 @@
 """Where a step leaves its regime: also where a margin is negative, or positive, for a moment."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Kernels run interpreted where a test asks for it, so that mutants and coverage see them."""
 
-from __future__ import annotations
-
 import pytest
 
 from hophoop.kernel.native import forced

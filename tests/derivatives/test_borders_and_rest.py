@@ -1,7 +1,5 @@
 """What is written by hand about one event or piece: impacts between two courses, an unstable equilibrium."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

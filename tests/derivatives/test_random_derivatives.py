@@ -1,7 +1,5 @@
 """Derivatives of random motions against differences of motions on either side, with steps halved until they agree."""
 
-from __future__ import annotations
-
 import pytest
 
 from differences import compare_derivatives

@@ -1,7 +1,5 @@
 """Calls of kernels from Python: by the library where there is one, else interpreted; tests/test_bits.py compares both."""
 
-from __future__ import annotations
-
 import json
 import os
 

@@ -1,7 +1,5 @@
 """What Numba compiles of a kernel: its callees, the hash of its code, and what is compiled again."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -4,11 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from mpmath import mp, mpf
 
 from hophoop.kernel.physics import contact
-from newton_euler import BODIES, STATES, accelerations, case_of, responses
-from oracles import series
+from newton_euler import BODIES, STATES, accelerations, responses
 
 
 def near(value):
@@ -61,18 +59,3 @@ def test_utilization():
     out = np.empty(len(rows))
     contact.utilizations(*columns, out)
     np.testing.assert_allclose(out, expected, rtol=1e-12)
-
-
-def test_forces_where_the_load_of_a_massless_ring_meets_the_plane():
-    """The same equations in 40 digits: 1 + ε cos θ has lost all of its own there."""
-    body = BODIES[0]._replace(eps=1.0 - 2.0**-40, kap=4e-12, gt=0.3, mu_s=0.003, mu_k=0.003)
-    th = math.pi + 1e-6
-    with mp.workdps(40):
-        s, c = float(mp.sin(th)), float(mp.cos(th))
-        parameters = series.Parameters(case_of(body))
-        for u in (1e11, 1e-9):
-            state = tuple(map(mpf, (0.0, 0.0, th, 0.0, 0.0, mp.sqrt(u))))
-            roll, skid = (series.expand(parameters, mode, mpf(0), state, mpf(0), 5) for mode in "RK")
-            assert contact.rolling_acceleration(body, s, c, u, 0.0) == pytest.approx(float(roll.omega[1]), rel=1e-12)
-            rate = float(skid.vx[1] - skid.omega[1])
-            assert contact.slip_motion(body, s, c, u, 1.0, 0.0)[2] == pytest.approx(rate, rel=1e-12)

@@ -1,7 +1,5 @@
 """The kernel's impact over exact fractions, against the exact oracle."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from types import SimpleNamespace

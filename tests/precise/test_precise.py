@@ -1,7 +1,5 @@
 """Motions in many digits: against the Taylor oracle, closed forms, symmetries, and the cases where doubles fail."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 from decimal import Decimal

@@ -1,7 +1,5 @@
 """What a caller sees of motions in many digits: results, text, JSON, refusals, the command line."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

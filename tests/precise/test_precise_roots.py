@@ -1,7 +1,5 @@
 """Roots of polynomials that are found, excluded, or ask for more digits."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

@@ -1,7 +1,5 @@
 """Motions at whose edges a bound is easily missed: ends of the time, ties, roundings and roots at round places."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 
@@ -139,3 +137,29 @@ def test_no_turn_is_counted_backwards():
         phase = Contact(run.body, 0, begin, 0, begin.th)
         after = begin._replace(t=ball(arb(1, 1e-10)), th=begin.th + 6.28)
         assert contact._whole_turn(phase, after, ball(1)).t < 1.5
+
+
+# hops of 7·10⁻⁸ s, just above the speed from which there is one, and of 1.8·10⁻⁸ s, with a centripetal force just above g
+SHORT_HOPS = {
+    "threshold": hh.Scenario(start=hh.Start.rolling(2.9081602262491906), duration=1.7),
+    "start": hh.Scenario(
+        hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.5),
+        plane=hh.Plane(mu=0.3, gravity=8.0),
+        start=hh.Start(vx=2.0, omega=4.000000000000001),
+        duration=5.0,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", sorted(SHORT_HOPS))
+def test_a_very_short_hop_is_proved(name):
+    found = prove(SHORT_HOPS[name])
+    assert found.proved, found.why
+    assert "H" in found.sequence
+
+
+@pytest.mark.parametrize("above", [1e-6, 1e-8, 1e-10, 1e-12])
+def test_a_very_short_slip_is_proved(above):
+    """Just above the speed from which the hoop slips in its first turn, v_t stays small."""
+    found = prove(hh.Scenario(start=hh.Start.rolling(2.0431739123746087 * (1 + above)), duration=1.2), 10)
+    assert (found.verdict, found.sequence) == ("proved", "RKRSR"), found.why

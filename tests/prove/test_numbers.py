@@ -1,4 +1,4 @@
-"""Balls, the copier of the kernel's functions, and python-flint's settings: nothing uncertain passes."""
+"""Balls, the copier of the kernel's functions, python-flint's settings and the clock: nothing uncertain passes."""
 
 from __future__ import annotations
 
@@ -220,3 +220,36 @@ def test_settings_are_as_before_after_an_interruption():
     assert (flint.ctx.prec, flint.ctx.cap) == (77, 13)
     assert numbers.LOCK.acquire(blocking=False)
     numbers.LOCK.release()
+
+
+# --- the clock ------------------------------------------------------------------------------------------------------------
+
+# slip, rolling and a hop; bounces; rolling with resistance; slip with turning points
+CLOCKED = {name: MOTIONS[name] for name in ("hop", "bounce", "resisted")} | {
+    "rocking": hh.Scenario(plane=hh.Plane(mu=0.1), start=hh.Start(vx=-1.0, omega=1.5, angle=2.0), duration=3.0)
+}
+
+
+def proved(scenario, looks):
+    """The proof of a motion whose time is over after so many looks at the clock, and how many there were."""
+    count = 0
+
+    def late():
+        nonlocal count
+        count += 1
+        return count > looks
+
+    return solver.prove_problem(scenario, solver.Problem.of(scenario), 8, "duration", 4000, late), count
+
+
+@pytest.mark.parametrize("name", CLOCKED)
+def test_a_proof_ends_wherever_its_time_is_over(name):
+    """The clock is asked between all steps."""
+    whole, looks = proved(CLOCKED[name], 10**9)
+    assert whole.proved
+    assert looks > 5
+    for most in (0, 1, 5, *range(10, looks, max(1, looks // 6))):
+        found, count = proved(CLOCKED[name], most)
+        assert count == most + 1
+        assert (found.verdict, found.why) == ("undecided", solver.LATE)
+        assert found.events == whole.events[: len(found.events)]

@@ -1,7 +1,5 @@
 """Proofs against motions that were computed otherwise: reference data to 25 digits, and the kernel."""
 
-from __future__ import annotations
-
 import json
 import time
 from decimal import Decimal, localcontext

@@ -1,7 +1,5 @@
 """Proofs with rolling resistance: against closed forms, many digits and the kernel."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Taylor models and steps against the truth in 60 digits: what they bound, and that it is little."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from fractions import Fraction

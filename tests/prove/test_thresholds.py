@@ -1,7 +1,5 @@
 """Thresholds: proved numbers against closed forms and the kernel."""
 
-from __future__ import annotations
-
 from decimal import Decimal, getcontext
 from fractions import Fraction
 

@@ -8,8 +8,6 @@ v₀ eᵏ and lasts 2 v₀ eᵏ/g, so that impact k is at t₀ + 2 (v₀/g)(e + 
 test_oracle_motion has limits of eccentric hoops, with friction.
 """
 
-from __future__ import annotations
-
 import mpmath
 import pytest
 

@@ -1,7 +1,5 @@
 """No motion without end, and none that completes with a number that is not finite: every loop driven to its bound."""
 
-from __future__ import annotations
-
 import json
 import math
 

@@ -1,7 +1,5 @@
 """Rolling and slip step by step: rest, and what follows slow motion and slip without rotation."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

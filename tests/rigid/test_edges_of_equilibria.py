@@ -1,7 +1,5 @@
 """Beside equilibria: what a phase conserves is carried with all its digits."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

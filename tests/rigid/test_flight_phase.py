@@ -1,7 +1,5 @@
 """One flight, and the fall of the massless hoop's load: what ends them, and the state there; when bounces are closed."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

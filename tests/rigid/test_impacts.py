@@ -1,7 +1,5 @@
 """Impacts: random ones against the oracle, under three laws; precise/test_impact.py has exact fractions."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

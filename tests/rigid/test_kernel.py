@@ -1,7 +1,5 @@
 """How a motion begins and ends: the first phase that the kernel makes of a start, and what it says of tables that are full."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Motions of very many turns: time goes on, and every machine finds the same."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """The margins of a mode against Newton's and Euler's equations as one linear system."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

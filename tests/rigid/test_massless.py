@@ -5,8 +5,6 @@ points along the line from the contact, F/N = tan(θ/2). Energy gives (1 + cos �
 N = m (g cos θ − v0²/R); where that is zero, θ̇² = g/R. Then the particle falls freely.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Painlevé's paradox and the dynamic jam: what keeps a hoop from it, and what is in doubt beside it."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

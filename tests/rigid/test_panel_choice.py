@@ -1,7 +1,5 @@
 """The next panel: how wide it is, and in how few tries."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """The angle at which a motion ends: how far it is, and the state there, to two doubles; how a flight opens."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Motions that go on from a state of another one, compared with the one that was not interrupted."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Rolling resistance: motions against an independent integrator."""
 
-from __future__ import annotations
-
 import hophoop as hh
 from oracle_program import compare
 from oracles.cases import Case, rolling

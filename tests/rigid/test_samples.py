@@ -1,7 +1,5 @@
 """Samples between events and at them: slip without rotation and rest by hand, and which side of an event a sample is on."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

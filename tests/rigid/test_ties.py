@@ -1,7 +1,5 @@
 """Ties that double precision cannot tell: a motion says from when, and `digits=` has what the given doubles lead to."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What is written of every event: its impulses change the velocities, and a number stands only where it means something."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Bodies, states, phases and logs for the tests of motions step by step."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What must go together: a spring and its hoop in any units, a couple and an inertia, a hoop and the kernels' numbers."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

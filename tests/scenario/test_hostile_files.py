@@ -1,7 +1,5 @@
 """Scenario files that nobody means well with: the scenario, or one sentence, at once."""
 
-from __future__ import annotations
-
 import io
 import sys
 import time

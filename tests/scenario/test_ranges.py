@@ -1,7 +1,5 @@
 """What a number of a scenario may be: both ends of every range, and a sentence beyond them."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

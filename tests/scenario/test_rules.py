@@ -1,7 +1,5 @@
 """Rules between fields: one function of the kernel decides for scenarios, whole maps and the page's module."""
 
-from __future__ import annotations
-
 import math
 import random
 from collections import Counter

@@ -1,7 +1,5 @@
 """Sentences to the letter: how long a text is shown, what is counted, what a word stands beside."""
 
-from __future__ import annotations
-
 import json
 import pickle
 

@@ -1,7 +1,5 @@
 """Closed forms and thresholds: against the simulation from both sides, the oracles, SciPy and mpmath."""
 
-from __future__ import annotations
-
 import math
 import re
 

@@ -1,7 +1,5 @@
 """Where contact ends or has no answer: regions of the (θ, θ̇) plane, Painlevé and the jam, rest, no mass."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
