@@ -3,6 +3,7 @@
 import re
 import runpy
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -205,11 +206,15 @@ def test_beside_a_minimum_the_sum_of_squares_rises_by_the_square_of_the_distance
     problem, values = posed(filmed(hop, rate=60.0))
     problem = replace(problem, robust=False)
     solution = solve(problem, parameters(values, tuple(TRUTH)))
-    found = list(solution.beside((-0.5, 0.5)))
-    assert [name for name, *_ in found] == ["mu_kinetic", "mu_kinetic", "mu_excess", "mu_excess", "restitution", "restitution"]
-    for name, value, there in found:
+    for name, far in product(("mu_kinetic", "mu_excess", "restitution"), (-0.5, 0.5)):
+        value = solution.minimum.values[name] + far * solution.error(name)
+        there = solution.values_at(name, value)
         assert there[name] == pytest.approx(value)
-        assert problem.cost(there) - solution.minimum.cost == pytest.approx(0.25 * solution.spread, rel=0.2), name
+        assert problem.cost(values | there) - solution.minimum.cost == pytest.approx(0.25 * solution.spread, rel=0.2), name
+        held = solution.held(solution.params, name, value)
+        assert held[name].value == pytest.approx(value)
+        assert not held[name].vary
+        assert problem.cost(held.valuesdict()) <= problem.cost(values | there)
     assert solution.values_at("slope", 0.1) == {}
 
 

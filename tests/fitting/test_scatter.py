@@ -42,8 +42,8 @@ def test_a_wrong_radius_is_not_taken_for_scatter(kind, mistake, sign):
 
 
 def test_a_record_that_another_radius_explains_is_wrong_although_its_residuals_scatter():
-    """Restitution came out as 0.75 ± 0.04, where 0.3 is right, and 'not perfect, but usable'."""
-    found = hh.fit(spoiled(drawn("phone50", 3), "radius", -1))
+    """Restitution came out as 0.86 ± 0.02, where 0.3 is right, and 'not perfect, but usable'."""
+    found = hh.fit(spoiled(drawn("phone50", 15), "radius", -1))
     assert found.von_neumann > 1.2
     assert not found.usable
     (radius,) = re.findall(r"with a radius of ([\d.]+) m", found.sentences()[1])
@@ -60,9 +60,9 @@ def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():
     assert with_scatter(track, Sigma(omegas=0.1), rough) == (track, {})
 
 
-@pytest.mark.parametrize(("kind", "seed"), [("phone50", 200), ("phone100", 5)])
+@pytest.mark.parametrize(("kind", "seed"), [("phone50", 200), ("phone100", 5), ("phone100", 22)])
 def test_errors_of_a_phone_cover_the_steps_of_its_sum_of_squares(kind, seed):
-    """By the slopes at the minimum the restitution was 7 and 5 errors off."""
+    """By the slopes at one minimum, between two steps, the restitution was 5 to 7 errors off."""
     (row,) = measure(kind, 1, seed, spoilt=0)
     assert row["good"]
     assert all(within(row, name) for name in TRUTH)

@@ -20,7 +20,7 @@ def exact_slopes(problem: Problem, values: Values, names: Sequence[str]) -> Floa
     """Return derivatives of the residuals by parameters.
 
     values: all of the problem's names; jacobian: shape (count, len(names)), a column is nan where there is no derivative: at a
-    tangency, a boundary of classes, a limit of a range [1 over the parameter's unit].
+    tangency, a boundary of classes, a limit of a range, of moments [1 over the parameter's unit].
     """
     blocks = []
     for run in problem.runs:
@@ -36,19 +36,14 @@ def _of_run(run: Run, values: Values, names: list[str]) -> Floats:
     """Columns of one run: the data follow the changes of the state and of the camera, shape (count, len(names))."""
     motion, specs = run.motion(values), [spec(name) for name in names]
     times = run.moments(motion, values)
-    steps = np.array([[STEP if one.paths else one.step] for one in specs])
     here, changes = motion.at(times), {field: np.zeros((len(names), len(times))) for field in FIELDS}
     paths = tuple(dict.fromkeys(path for one in specs for path in one.paths))
     rated = propagate(motion, paths).at_times(times, FIELDS) if paths else {}
-    for k, name in enumerate(names):
-        if name in TIMED:  # the motion is the same, seen at other times
-            step = steps[k, 0]
-            later, earlier = (motion.at(run.moments(motion, values | {name: values[name] + far})) for far in (step, -step))
-            for field, change in changes.items():
-                change[k] = (getattr(later, field) - getattr(earlier, field)) / (2.0 * step)
-        for path in specs[k].paths:
+    for k, one in enumerate(specs):
+        for path in one.paths:
             for field, change in changes.items():
                 change[k] += rated[field][1][:, paths.index(path)]
+    steps = np.array([[STEP if one.paths else one.step] for one in specs])
 
     def residuals(side: int) -> Floats:
         moved = {field: getattr(here, field) + side * steps * change for field, change in changes.items()}
@@ -57,4 +52,4 @@ def _of_run(run: Run, values: Values, names: list[str]) -> Floats:
 
     result = (residuals(1) - residuals(-1)) / (2.0 * steps)
     known = np.all([np.isfinite(change).all(axis=1) for change in changes.values()], axis=0)
-    return np.where(known, result.T, np.nan)
+    return np.where(known & ~np.isin(names, TIMED), result.T, np.nan)

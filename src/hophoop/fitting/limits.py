@@ -10,15 +10,15 @@ import numpy as np
 from hophoop.fitting.channels import Values
 from hophoop.fitting.guess import COST
 from hophoop.fitting.parameters import parts_of
-from hophoop.fitting.solving import CONFIDENT, Minimum, Solution, approach, changed, minimize, solve, unobserved
+from hophoop.fitting.solving import CONFIDENT, Minimum, Solution, changed, minimize, solve, unobserved
 from hophoop.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from lmfit import Parameters
 
 AGREES = 4.0  # rise of the sum of squares at an end of a range that the data agree with: two standard deviations
-NEAR = 9.0  # rise at an end that is near: three standard deviations
-ASIDE = (-3.0, 3.0)  # distances of the sum of squares that errors are compared with [standard deviations]
+NEAR = 9.0  # rise to what is near: three standard deviations
+EQUAL = 2.0  # two minima of equal sums of squares have a variance, about one of them, of half the square of their distance
 STEPS = 12  # of a search for a limit
 FINE = 0.01  # accuracy of a limit, over its distance from the end
 NOT_SEEN = ("", float("nan"))
@@ -44,8 +44,9 @@ def with_limits(solution: Solution, wanted: Sequence[str]) -> tuple[Solution, Li
     squares there; limits: the sign and the limit at 95 % of each parameter; no sign and nan where the data agree with both
     ends, or do not show it [its unit].
     """
-    gone = unobserved(solution.problem.motions(solution.minimum.values)) & set(solution.minimum.blind)
+    gone = unobserved(solution.problem.motions(solution.minimum.values)) - set(solution.free)
     limits: Limits = {}
+    aside = solution.aside
     changes: list[Values] = []
     for name in wanted:
         if name in gone:
@@ -57,7 +58,7 @@ def with_limits(solution: Solution, wanted: Sequence[str]) -> tuple[Solution, Li
             (end,) = agreed
             value, values = _limit(solution, name, end)
             limits[name] = end.sign, value
-            solution = solve(solution.problem, changed(solution.params, end.found.values, [name, *end.found.blind]))
+            solution = solve(solution.problem, changed(solution.params, end.found.values, [name]))
             now, size = solution.minimum.values, np.sqrt(CONFIDENT * spread)
             changes.append({other: (values[other] - now[other]) / size for other in solution.free})
         elif agreed or name not in solution.free:
@@ -70,22 +71,22 @@ def with_limits(solution: Solution, wanted: Sequence[str]) -> tuple[Solution, Li
     for change in changes:
         own = np.array([change.get(name, 0.0) for name in solution.free])
         solution = solution._replace(covariance=solution.covariance + np.outer(own, own))
-    return with_least_errors(solution) if solution.problem.jumps else solution, limits
+    return with_least_errors(solution, aside), limits
 
 
-def with_least_errors(solution: Solution) -> Solution:
-    """Return a solution with standard deviations of at least those that the sum of squares has further away.
+def with_least_errors(solution: Solution, aside: Sequence[Minimum]) -> Solution:
+    """Return a solution with standard deviations of at least those that minima aside from it show.
 
     The sum of squares of an angular velocity is a staircase: an impact that passes a measured value is a step. So its slopes at
-    the minimum do not suffice, and each parameter of the contact is held on both sides.
+    the minimum do not suffice, and another motion may explain the data nearly as well.
     """
-    here, result = solution.minimum, solution
-    for name, value, values in solution.beside(ASIDE):
-        other = approach(solution.problem, changed(solution.params, values | {name: value}, [name]))
-        away = np.sqrt(max((other.cost - here.cost) / solution.spread, 1.0))  # [standard deviations]
-        for one in solution.free:
-            result = result.with_error(one, abs(other.values[one] - here.values[one]) / away)
-    return result
+    here = solution.minimum
+    for other in aside:
+        rise = (other.cost - here.cost) / solution.spread
+        for name in solution.free if rise <= NEAR else ():
+            away = np.sqrt(max(rise, EQUAL))  # [standard deviations]
+            solution = solution.with_error(name, abs(other.values[name] - here.values[name]) / away)
+    return solution
 
 
 def _ends(solution: Solution, name: str) -> list[End]:
@@ -95,11 +96,10 @@ def _ends(solution: Solution, name: str) -> list[End]:
     for sign, end in (("≤", params[name].min), ("≥", params[name].max)):
         if not np.isfinite(end):
             continue
-        starts = [changed(params, values | {name: end}, [name]) for values in ({}, solution.values_at(name, end))]
-        costs = [problem.cost(one.valuesdict()) for one in starts]
-        if min(costs) - cost > problem.count:
+        start = solution.held(params, name, end)
+        if problem.cost(start.valuesdict()) - cost > problem.count:
             continue  # too far: fitting the others does not help
-        found = approach(problem, starts[int(np.argmin(costs))])
+        found = minimize(problem, start)
         if found.cost - cost <= NEAR * solution.spread:
             result.append(End(sign, end, found))
     return result

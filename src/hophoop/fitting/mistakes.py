@@ -13,7 +13,7 @@ from hophoop.fitting.channels import Channel, Floats, Sigma, Values
 from hophoop.fitting.guess import COST, candidates, guess, start_kind
 from hophoop.fitting.parameters import FACTORS, SHARED
 from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of
-from hophoop.fitting.solving import Solution, beginnings, minimize, parameters
+from hophoop.fitting.solving import Solution, beginnings, free_of, minimize, parameters
 from hophoop.scenario import InputError
 from hophoop.tracking import Track
 
@@ -45,7 +45,8 @@ PLAIN: Sequence[tuple[set[str], str, str, str, Values]] = (
 )  # fmt: skip
 DRAWS = 24  # motions of a trial
 POLISHED, STARTED, CALLS = 2, 2, 30  # trials of each kind that are minimized, starts of each, and calls of the motion
-GOOD = 4.0  # cost over the number of data of a motion that fits after so few calls
+GOOD = 4.0  # cost over the degrees of freedom of a motion that fits after so few calls
+BETTER = 2.0  # times the cost of the best, at least, of the fit
 ALIKE = 3.0  # times the cost of the best, of others that are named as well
 WORSE = 20.0  # times the cost of a window, of the whole record
 SHORTEST, LONGEST = 0.05, 30.0  # motion that is tried [s]
@@ -102,11 +103,12 @@ def _posed(asked: Asked, trial: Trial) -> Iterator[Posed]:
 
 
 def _fitted(posed: Posed) -> tuple[float, Trial]:
-    """Return the cost of the best motion over the number of data, about 1 where a motion fits, and the trial with its size."""
+    """Return the cost of the best motion over the degrees of freedom, about 1 where one fits, and the trial with its size."""
     problem, trial = posed.problem, posed.trial
     begun = [one for params in posed.starts for one in beginnings(problem, params, CALLS)]
     best = min((minimize(problem, one, CALLS) for one in begun), key=COST)
-    return best.cost / problem.count, trial._replace(size=trial.size * best.values.get(problem.runs[0].factor, 1.0))
+    cost = best.cost / max(problem.count - len(free_of(best.params)), 1)
+    return cost, trial._replace(size=trial.size * best.values.get(problem.runs[0].factor, 1.0))
 
 
 def likely_mistakes(
@@ -114,7 +116,7 @@ def likely_mistakes(
 ) -> tuple[list[str], list[str]]:
     """Name the mistake that the data show, or without which a motion fits; and what was tried.
 
-    values, free: of the fit of this run; cost: of it, over the number of data [1]; sigma: given standard deviations.
+    values, free: of the fit of this run; cost: of it, over the degrees of freedom [1]; sigma: given standard deviations.
     """
     omega = run.channel("omega")
     if omega is not None and (limit := _of_limit(run.t[omega.rows], omega.values)):
@@ -128,7 +130,7 @@ def likely_mistakes(
         likely = [one for one in posed if one.trial.kind == kind]
         fitted += [_fitted(one) for k, one in enumerate(likely) if k < POLISHED or one.trial.near]
     fitted.sort(key=itemgetter(0))
-    if fitted and (best := fitted[0][0]) < min(GOOD, cost / ALIKE):
+    if fitted and (best := fitted[0][0]) < min(GOOD, cost / BETTER):
         # the best of each kind, and others that the data hardly tell from it
         alike: dict[str, Trial] = {}
         for at, trial in fitted:
@@ -237,7 +239,7 @@ def _trials(run: Run) -> list[Trial]:
 def _window(run: Run, asked: Asked, allowed: float) -> list[str]:
     """Name the longest part of the data that is free motion, such as between a hand and a catch.
 
-    allowed: cost over the number of data [1].
+    allowed: cost over the degrees of freedom [1].
     """
     begin, end = asked.track.t[[0, -1]].tolist()
     step = 0.1 * np.ceil(max(min((end - begin) / PARTS, WIDEST), (end - begin) / MOST_PARTS) / 0.1)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -15,11 +14,10 @@ from hophoop._support.pages import render
 from hophoop._version import __version__
 from hophoop.fitting.channels import KINDS, Floats
 from hophoop.fitting.result import GIVEN, Fit
+from hophoop.plots.curves import phases
 from hophoop.plots.over_time import Row, over_time
-from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import overlay
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.names import mode_words
 
 
 def report(
@@ -78,12 +76,12 @@ def _page(fit: Fit, film: str | None) -> str:
     residuals: list[Row] = []
     modes: dict[str, str] = {}
     for k, channel, _ in fit.problem.pieces:
-        run, phases = fit.problem.runs[k], _phases(fit.motions[k])
-        modes |= {word: colors.mode_color(word) for _, _, word in phases}
+        run, parts = fit.problem.runs[k], phases(fit.motions[k])
+        modes |= {part.word: colors.mode_color(part.word) for part in parts}
         unit, errors = next(kind.unit for kind in KINDS.values() if channel.name in kind.channels), 1e3 * channel.errors
         of_run = f", run {k + 1}" if fit.alone else ""
         label = f"{channel.name} ({unit}){of_run}, one standard deviation {float(np.median(errors)):.2g}"
-        ribbon = [(start, end, modes[word]) for start, end, word in phases]
+        ribbon = [(part.t, part.end_t, modes[part.word]) for part in parts]
         residuals.append(Row(label, run.t[channel.rows], fit.residuals[channel.name + run.suffix] * errors, ribbon))
     return render(
         need("jinja2", "fit"),
@@ -109,12 +107,3 @@ def _svg(rows: list[Row]) -> str:
             stream, format="svg", transparent=True, metadata={"Date": None}
         )
         return stream.getvalue().partition("<!DOCTYPE")[2].partition(">\n")[2]
-
-
-def _phases(motion: Trajectory) -> list[tuple[float, float, str]]:
-    """Starts and ends of the modes [s], and their words."""
-    t = motion.times(600)
-    state = motion.at(t)
-    words = mode_words(state.mode, state.omega)
-    borders = [0, *(np.flatnonzero(words[1:] != words[:-1]) + 1).tolist(), len(t) - 1]
-    return [(float(t[a]), float(t[b]), str(words[a])) for a, b in pairwise(borders)]

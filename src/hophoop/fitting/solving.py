@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import product
@@ -30,7 +30,7 @@ BLIND = 1e-3  # maximum rise of the sum of squares over the range of a parameter
 SHORTEST = 100  # numbers of a part of a record that is fitted for a start
 ROUNDS = 4  # of other starts, while they help and the data are not explained
 WORTH_TRYING = 4.0  # maximum factor of the cost of a start without slip
-ASIDE = (-12.0, -4.0, 4.0, 12.0)  # distances of other starts from a minimum [standard deviations]
+ASIDE = (-8.0, -4.0, -2.0, 2.0, 4.0, 8.0)  # distances at which other minima are looked for [standard deviations]
 CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
 ENOUGH = 1.0  # friction with which most motions never slip
 EXPLAINED = 1.0  # robust cost over the number of data of a motion that explains them; scatter alone has about 0.9
@@ -43,7 +43,6 @@ class Minimum(NamedTuple):
     params: Parameters
     cost: float  # sum of the squares, or the robust loss
     residuals: Floats  # [standard deviations]
-    blind: Sequence[str] = ()  # parameters without effect on the data
 
     @property
     def values(self) -> Values:
@@ -58,6 +57,9 @@ class Solution(NamedTuple):
     minimum: Minimum
     free: tuple[str, ...]
     covariance: Floats
+    aside: tuple[
+        Minimum, ...
+    ] = ()  # with a parameter of the contact held away from the minimum, if the sum of squares has steps
 
     @property
     def params(self) -> Parameters:
@@ -83,24 +85,22 @@ class Solution(NamedTuple):
         changes = self.covariance[place] / self.covariance[place, place] * (value - values[name])
         return {other: values[other] + change for other, change in zip(self.free, changes.tolist(), strict=True)}
 
+    def error(self, name: str) -> float:
+        """Standard deviation of one parameter, larger where the motion does not explain the data [its unit]."""
+        place = self.free.index(name)
+        return float(np.sqrt(self.spread * self.covariance[place, place]))
+
     def with_error(self, name: str, least: float) -> Solution:
         """Return the solution with a minimum standard deviation of one parameter; correlations stay."""
-        place, factors = self.free.index(name), np.ones(len(self.free))
-        factors[place] = max(1.0, least / np.sqrt(self.covariance[place, place]))
+        factors = np.ones(len(self.free))
+        factors[self.free.index(name)] = max(1.0, least / self.error(name))
         return self._replace(covariance=self.covariance * np.outer(factors, factors))
 
-    def beside(self, distances: Sequence[float]) -> Iterator[tuple[str, float, Values]]:
-        """Yield each parameter of the contact, its values at distances within its range, and all values by regression.
-
-        distances [standard deviations]; none where the covariance is infinite.
-        """
-        params, values = self.minimum.params, self.minimum.values
-        for name, far in product(SPREADS, distances) if np.isfinite(self.covariance).all() else ():
-            if name in self.free:
-                place = self.free.index(name)
-                value = values[name] + far * float(np.sqrt(self.spread * self.covariance[place, place]))
-                value = float(np.clip(value, params[name].min, params[name].max))
-                yield name, value, values | self.values_at(name, value)
+    def held(self, params: Parameters, name: str, value: float) -> Parameters:
+        """Return parameters with one held at a value, the others as they are or by regression, whichever costs less."""
+        starts = [changed(params, self.minimum.values | {name: value}, [name])]
+        starts.append(changed(starts[0], self.values_at(name, value) | {name: value}))
+        return min(starts, key=lambda one: self.problem.cost(one.valuesdict()))
 
 
 def parameters(
@@ -178,10 +178,13 @@ def minimize(problem: Problem, params: Parameters, most: int = FIRST_CALLS) -> M
 
 
 def solve(problem: Problem, params: Parameters) -> Solution:
-    """Find one minimum and its covariance."""
-    found = minimize(problem, params, MOST_CALLS)
-    covariance = covariance_of(problem, slopes(problem, found.params), found.residuals)
-    return Solution(problem, found, free_of(params), covariance)
+    """Find one minimum, and the covariance of the parameters that have an effect there."""
+    found, names = minimize(problem, params, MOST_CALLS), free_of(params)
+    jacobian = slopes(problem, found.params)
+    span = [min(params[name].max - params[name].min, 1.0) for name in names]
+    seen = (jacobian**2).sum(axis=0) * np.square(span) >= BLIND
+    covariance = covariance_of(problem, jacobian[:, seen], found.residuals)
+    return Solution(problem, found, tuple(name for name, one in zip(names, seen, strict=True) if one), covariance)
 
 
 def slopes(problem: Problem, params: Parameters) -> Floats:
@@ -223,20 +226,6 @@ def _differences(params: Parameters, names: Sequence[str], of: Callable[[Values]
     return np.column_stack(columns)
 
 
-def insensitive(problem: Problem, params: Parameters) -> list[str]:
-    """Return the free parameters without effect on the data at the present values."""
-    names = free_of(params)
-    span = [min(params[name].max - params[name].min, 1.0) for name in names]
-    rise = (slopes(problem, params) ** 2).sum(axis=0) * np.square(span) if names else []
-    return [name for name, one in zip(names, rise, strict=True) if one < BLIND]
-
-
-def approach(problem: Problem, params: Parameters) -> Minimum:
-    """Return an approximate minimum after few steps, without those parameters that have no effect at the start."""
-    blind = insensitive(problem, params)
-    return minimize(problem, changed(params, {}, blind))._replace(blind=blind)
-
-
 def of_rotation(problem: Problem) -> bool:
     """Return True if only angular velocities are measured."""
     return all(run.measured == {"omega"} for run in problem.runs)
@@ -264,7 +253,7 @@ def lowest(problem: Problem, params: Parameters, starts: Sequence[Candidate]) ->
     for start in starts:
         # another sequence may explain the data better, also if they are explained to their scatter
         if start.sequence not in tried or not any(_explains(problem, one) for one in found):
-            found += [approach(problem, one) for one in beginnings(problem, changed(params, start.values))]
+            found += [minimize(problem, one) for one in beginnings(problem, changed(params, start.values))]
             tried.add(start.sequence)
     return min(found, key=COST)
 
@@ -278,30 +267,26 @@ def best_of(problem: Problem, params: Parameters, starts: Sequence[Candidate]) -
     """Find the lowest minimum from several starts."""
     best = lowest(problem, params, starts)
     for k in range(1, ROUNDS + 1):
-        cost = best.cost
-        for values in _other_starts(problem, params, best, k):
-            other = approach(problem, changed(params, values))
-            if other.cost < best.cost - BETTER:
-                best = other
-        if _explains(problem, best) or best.cost > 0.99 * cost:
+        others = [minimize(problem, changed(params, values)) for values in _other_starts(problem, params, best, k)]
+        before, best = best, min([best, *others], key=COST)
+        if _explains(problem, best) or best.cost > 0.99 * before.cost:
             break
-    last = _settled(problem, params, _without_slip(problem, params, best))
-    if problem.jumps:
-        for _ in range(ROUNDS):
-            aside = min(_asides(params, last), key=COST, default=last.minimum)
-            if aside.cost > last.minimum.cost - BETTER:
-                break
-            last = _settled(problem, params, aside)
+    last = solve(problem, changed(params, _without_slip(problem, params, best).values))
+    for _ in range(ROUNDS if problem.jumps else 0):
+        last = last._replace(aside=_asides(params, last))
+        lower = min(last.aside, key=COST, default=last.minimum)
+        if lower.cost > last.minimum.cost - BETTER:
+            break
+        last = solve(problem, changed(params, lower.values))
     return last
 
 
 def _other_starts(problem: Problem, params: Parameters, best: Minimum, k: int) -> list[Values]:
     """Return other starts where a minimum does not explain one run, in round k: drawn around it, and that of a first half.
 
-    The first half has fewer landings, which make the sum of squares rough. A few angular velocities are explained by more than
-    one motion, so they have a first round in any case.
+    The first half has fewer landings, which make the sum of squares rough.
     """
-    if len(problem.runs) > 1 or (_explains(problem, best) and not (k == 1 and of_rotation(problem))):
+    if len(problem.runs) > 1 or _explains(problem, best):
         return []
     (run,) = problem.runs
     free = set(free_of(params))
@@ -314,26 +299,18 @@ def _other_starts(problem: Problem, params: Parameters, best: Minimum, k: int) -
     return drawn
 
 
-def _settled(problem: Problem, params: Parameters, best: Minimum) -> Solution:
-    """Return the minimum near an approximate one, without the parameters that have no effect there."""
-    for _ in range(3):
-        last = solve(problem, changed(params, best.values, best.blind))
-        before, best = best, last.minimum._replace(blind=insensitive(problem, changed(params, last.minimum.values)))
-        if best.blind == before.blind:
-            break  # else parameters have lost or gained effect on the way
-    return last._replace(minimum=best)
-
-
-def _asides(params: Parameters, last: Solution) -> list[Minimum]:
-    """Return other minima, from starts some standard deviations away along each parameter of the contact.
+def _asides(params: Parameters, last: Solution) -> tuple[Minimum, ...]:
+    """Return minima with one parameter of the contact held at some distances from a minimum.
 
     An angular velocity jumps at an impact, so the sum of squares has a step wherever an impact passes a measured value, and
     small basins between the steps.
     """
-    # also with the middle of the range of a parameter that has no effect here, but may have some elsewhere
-    blind = {name: sum(SPREADS[name]) / 2 for name in SPREADS if name in free_of(params) and name not in last.free}
-    starts = [values | others for _, _, values in last.beside(ASIDE) for others in ([{}, blind] if blind else [{}])]
-    return [approach(last.problem, changed(params, one)) for one in starts]
+    found = []
+    for name, far in product(SPREADS, ASIDE) if np.isfinite(last.covariance).all() else ():
+        if name in last.free:
+            value = last.minimum.values[name] + far * last.error(name)
+            found.append(minimize(last.problem, last.held(params, name, value)))
+    return tuple(found)
 
 
 def _without_slip(problem: Problem, params: Parameters, best: Minimum) -> Minimum:
@@ -341,10 +318,10 @@ def _without_slip(problem: Problem, params: Parameters, best: Minimum) -> Minimu
     friction, tied = params["mu_kinetic"], any(one.expr for one in params.values())
     if not friction.vary or tied or not slips(problem, best.values):
         return best
-    for value in (float(np.clip(ENOUGH, friction.min, friction.max)), friction.max):
-        values = changed(params, {**best.values, "mu_kinetic": value}).valuesdict()
+    for value in (ENOUGH, friction.max):
+        values = changed(params, best.values | {"mu_kinetic": value}).valuesdict()
         if problem.cost(values) < WORTH_TRYING * best.cost and not slips(problem, values):
-            other = approach(problem, changed(params, values))
+            other = minimize(problem, changed(params, values))
             alike = other.cost < best.cost + CONFIDENT * problem.spread(best.cost, len(free_of(params)))
             return other if alike and not slips(problem, other.values) else best
     return best
