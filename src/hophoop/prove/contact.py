@@ -19,7 +19,7 @@ from hophoop.prove.roots import first_root, positive_until
 BITS_A_TERM = 2.5
 WIDEST, LONGEST = 0.6, 0.5  # rad, and √(R/g), of a step
 FARTHEST = 1e-6  # between a polynomial and its motion
-SMALLEST = 1e-30  # of a step
+SMALLEST = 1e-12  # of a step
 ROUNDED_UP = 1 + 2.0**-40
 SMALL = "errors stay small"  # which more bits change
 
@@ -165,11 +165,11 @@ class Step:
         s, c = sine_cosine(self.th)
         try:
             found = contact.functions(Model(arb_poly([self.tau, h])), Model(self.th), s, c, Model(self.om))
+            by_angle, by_rate = self._slopes()
         except (ZeroDivisionError, ValueError):
             return False
         alpha, *self.models = map(modelled, found)
         left, turned = size(self.om.derivative() - alpha.p * h) + h * alpha.e, size(self.th.derivative() - self.om * h)
-        by_angle, by_rate = self._slopes()
         # θ is weighted, so that θ and θ̇ of an oscillation turn into each other
         self.weight = weight = arb(max(1.0, math.sqrt(abs(float(by_angle[0].mid())))))
         norm = ((by_rate[0] + length(by_rate[0], weight + by_angle[0] / weight)) / 2).upper().max(arb(0))

@@ -282,10 +282,12 @@ def prove_problem(
                 run.run()
             except Late as reason:
                 why = str(reason)
-            except (Unclear, ZeroDivisionError, ValueError) as reason:
+            except Unclear as reason:
                 why = f"it cannot be shown that {reason}"
+            except (ZeroDivisionError, ValueError):  # of a division of balls
+                why = "it cannot be shown that no divisor is zero"
             found = _proof(scenario, run, why, digits, until)
-        if best is None or _rank(found) > _rank(best):
+        if best is None or _rank(found) >= _rank(best):
             best = found
         if why == LATE:
             return best if best.proved else replace(best, why=LATE)
