@@ -239,6 +239,14 @@ def follow(page, steps):
         getattr(does, {"is": "check"}.get(verb, verb))(said)
 
 
+def take(visit, flow):
+    """Take the steps of a flow, which has a link, options and these, and return the page."""
+    link, options, steps = flow
+    page = visit(link, **options)
+    follow(page, steps)
+    return page
+
+
 def until(page, holds, seconds=30.0):
     """Wait for something outside of the page; what the page says is heard meanwhile."""
     end = time.monotonic() + seconds

@@ -1,6 +1,6 @@
 """The hoop in the visitor's hand: by mouse, finger and keys; what is computed is what the hand has chosen."""
 
-from lab_page_tools import PHONE, SETTLED, each_of, follow
+from lab_page_tools import PHONE, SETTLED, each_of, take
 
 CALM = {"reduced_motion": "reduce"}
 START = "lab.film().scenario.start"
@@ -105,5 +105,4 @@ FLOWS = {
 
 @each_of(FLOWS, "it is pulled up and dropped, and Escape takes it back", "a finger tilts the plane without scrolling the page")
 def test_a_hand(visit, name):
-    link, options, steps = FLOWS[name]
-    follow(visit(link, **options), steps)
+    take(visit, FLOWS[name])

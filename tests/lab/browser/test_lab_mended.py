@@ -1,6 +1,6 @@
 """The page in use: what one types, presses and goes back from, on screens large and small, with a screen reader."""
 
-from lab_page_tools import PHONE, SETTLED, each_of, follow
+from lab_page_tools import PHONE, SETTLED, each_of, take
 
 # what is said to a screen reader, and how often it changes
 REGIONS = "all('[aria-live], [role=status], [role=alert], output').filter((one) => one.checkVisibility())"
@@ -127,5 +127,4 @@ FLOWS = {
     "on a phone held across",
 )
 def test_in_use(visit, name):
-    link, options, steps = FLOWS[name]
-    follow(visit(link, **options), steps)
+    take(visit, FLOWS[name])

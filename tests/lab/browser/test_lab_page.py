@@ -3,7 +3,7 @@
 import pytest
 
 import hophoop as hh
-from lab_page_tools import SETTLED, SHOWN, colors_on, each_of, follow, picture, summary, wait_for
+from lab_page_tools import SETTLED, SHOWN, colors_on, each_of, picture, summary, take, wait_for
 from slow_page import also_delayed
 
 
@@ -84,10 +84,7 @@ FLOWS = {
 @also_delayed
 @each_of(FLOWS)
 def test_a_page(visit, name):
-    link, options, steps = FLOWS[name]
-    page = visit(link, **options)
-    follow(page, steps)
-    picture(page, f"page-{name.replace(' ', '-')}")
+    picture(take(visit, FLOWS[name]), f"page-{name.replace(' ', '-')}")
 
 
 def test_the_picture_follows_the_hand(visit):

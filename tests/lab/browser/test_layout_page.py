@@ -5,7 +5,7 @@ import io
 import numpy as np
 import pytest
 
-from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow, picture, wait_for
+from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, picture, take, wait_for
 
 # pairs of texts on the picture that lie over one another, and those that leave it
 CROSSING = """
@@ -233,10 +233,7 @@ FLOWS = {
 
 @each_of(FLOWS)
 def test_it_is_in_its_place(visit, name):
-    link, options, steps = FLOWS[name]
-    page = visit(link, **options)
-    follow(page, steps)
-    picture(page, f"layout-{name.replace(' ', '-')}")
+    picture(take(visit, FLOWS[name]), f"layout-{name.replace(' ', '-')}")
 
 
 def shot(page, selector):

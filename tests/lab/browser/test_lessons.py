@@ -1,6 +1,6 @@
 """The visit, the challenges and what a class needs: every answer and score is that of the computed motion."""
 
-from lab_page_tools import SETTLED, each_of, follow
+from lab_page_tools import SETTLED, each_of, take
 
 CALM = {"reduced_motion": "reduce"}
 ANSWERED = ["button Play", "until text('.visit-answer')"]
@@ -207,5 +207,4 @@ FLOWS = {
     "sound follows the contact force",
 )
 def test_a_lesson(visit, name):
-    link, options, steps = FLOWS[name]
-    follow(visit(link, **options), steps)
+    take(visit, FLOWS[name])

@@ -1,7 +1,7 @@
 """What a visitor sees first: one run of the motion, the simple view, names and links of what is shown."""
 
 from hophoop._version import __version__
-from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow
+from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, take
 
 CALM = {"reduced_motion": "reduce"}
 SIMPLE = "lab.root.classList.contains('simple')"
@@ -112,5 +112,4 @@ FLOWS = {
 
 @each_of(FLOWS)
 def test_a_first_look(visit, name):
-    link, options, steps = FLOWS[name]
-    follow(visit(link, **options), steps)
+    take(visit, FLOWS[name])

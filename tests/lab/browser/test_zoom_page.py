@@ -1,6 +1,6 @@
 """Fingers and the wheel: one rule for all pictures of the page."""
 
-from lab_page_tools import PHONE, SHOWN, each_of, follow
+from lab_page_tools import PHONE, SHOWN, each_of, take
 
 # what two fingers zoom, and how wide the part is that it shows
 ZOOMED = {
@@ -75,5 +75,4 @@ FLOWS = {
 
 @each_of(FLOWS, "two fingers zoom and take no motion")
 def test_wheel_and_finger(visit, name):
-    link, options, steps = FLOWS[name]
-    follow(visit(link, **options), steps)
+    take(visit, FLOWS[name])
