@@ -1,9 +1,6 @@
 """Derivatives of a motion by differences of motions on either side, with steps halved until they agree; where it changes."""
 
-from __future__ import annotations
-
 import math
-from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -18,7 +15,7 @@ START = ("start.vx", "start.omega", "start.angle")
 OTHERS = ("hoop.eccentricity", "plane.mu", "plane.mu_kinetic", "plane.slope", "plane.restitution", "start.height")
 
 
-def parameters_of(scenario: hh.Scenario) -> list[str]:
+def parameters_of(scenario):
     """The parameters that the scenario is given by and that may change to at least one side."""
     start = ("start.speed", "start.angle") if scenario.start.speed is not None else START
     return [*start, *(path for path in OTHERS if path not in REFUSED or not REFUSED[path](scenario))]
@@ -32,16 +29,16 @@ REFUSED = {
 }
 
 
-def numbers_of(motion: hh.Trajectory) -> np.ndarray:
+def numbers_of(motion):
     """The compared numbers of all events, in SI units."""
     return np.array([[getattr(event, field) for field in FIELDS] for event in motion.events])
 
 
-def kinds_of(motion: hh.Trajectory) -> list[str]:
+def kinds_of(motion):
     return [event.kind for event in motion.events]
 
 
-def changed(motion: hh.Trajectory, path: str, change: float) -> np.ndarray | None:
+def changed(motion, path, change):
     """The numbers of a motion with another value of a parameter; None if its events are others."""
     try:
         scenario = motion.scenario.with_values({path: value_of(motion.scenario, path) + change})
@@ -51,7 +48,7 @@ def changed(motion: hh.Trajectory, path: str, change: float) -> np.ndarray | Non
     return numbers_of(other) if kinds_of(other) == kinds_of(motion) else None
 
 
-def slopes(motion: hh.Trajectory, path: str, side: float) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+def slopes(motion, path, side):
     """One-sided differences of the events, of second order, for smaller and smaller steps, and their rounding."""
     here = numbers_of(motion)
     size = abs(value_of(motion.scenario, path)) or 1.0
@@ -62,7 +59,7 @@ def slopes(motion: hh.Trajectory, path: str, side: float) -> Iterator[tuple[np.n
             yield (4.0 * near - far - 3.0 * here) / (2.0 * step), abs(8.0 * np.spacing(here) / step)
 
 
-def by_differences(motion: hh.Trajectory, path: str, side: float) -> np.ndarray:
+def by_differences(motion, path, side):
     """The derivatives of the events to one side; nan where no two steps in a row agree."""
     found = np.full((len(motion.events), len(FIELDS)), np.nan)
     before = found
@@ -76,9 +73,9 @@ def by_differences(motion: hh.Trajectory, path: str, side: float) -> np.ndarray:
     return found
 
 
-def counted_names(motion: hh.Trajectory) -> list[str]:
+def counted_names(motion):
     """The names of all numbers of all events, such as ``"impact[1].omega"``."""
-    seen: dict[str, int] = {}
+    seen = {}
     names = []
     for kind in kinds_of(motion):
         place = seen[kind] = seen.get(kind, -1) + 1
@@ -86,7 +83,7 @@ def counted_names(motion: hh.Trajectory) -> list[str]:
     return names
 
 
-def compare_derivatives(scenario: hh.Scenario) -> tuple[list[str], int]:
+def compare_derivatives(scenario):
     """Return (what is wrong, how many derivatives have been compared)."""
     motion = hh.simulate(scenario)
     paths, names = parameters_of(scenario), counted_names(motion)
@@ -104,7 +101,7 @@ def compare_derivatives(scenario: hh.Scenario) -> tuple[list[str], int]:
     return wrong, count
 
 
-def halved(low: float, high: float, is_low: Callable[[float], bool]) -> tuple[float, float]:
+def halved(low, high, is_low):
     """Neighbouring doubles between which something changes; the first of them is low."""
     assert is_low(low)
     assert not is_low(high)
