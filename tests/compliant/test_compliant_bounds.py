@@ -1,7 +1,5 @@
 """A compliant motion never takes more steps than it may, and says so."""
 
-from __future__ import annotations
-
 import math
 from pathlib import Path
 
@@ -64,7 +62,7 @@ def test_a_landing_after_millions_of_turns_takes_few_steps():
     assert abs(motion.ledger.residual) <= 1e-7 * motion.ledger.range
 
 
-def kept(index: int) -> hh.Scenario:
+def kept(index):
     """A scenario that a night found."""
     return hh.Scenario.load(Path(__file__).parents[1] / "data" / "once_open" / f"{index}.toml")
 

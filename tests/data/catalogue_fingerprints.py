@@ -5,8 +5,6 @@
 To be run after each change of the kernels' bits, which CHANGELOG.md names; `tests/maps/test_maps_catalogue.py` compares.
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -15,7 +13,7 @@ import hophoop as hh
 FILE = Path(__file__).resolve().parents[2] / "src" / "hophoop" / "maps" / "catalogue.json"
 
 
-def renew(file: Path) -> str:
+def renew(file):
     """Write all fingerprints anew, with one line per hoop; return how many have changed, in words."""
     catalogue = json.loads(file.read_text(encoding="utf-8"))
     changed = count = 0

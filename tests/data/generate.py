@@ -5,14 +5,11 @@ python tests/data/generate.py            all cases
 python tests/data/generate.py NAME ...   some of them
 """
 
-from __future__ import annotations
-
 import json
 import sys
 from dataclasses import asdict
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
@@ -20,15 +17,15 @@ sys.path.insert(0, str(HERE.parent))
 from mpmath import mp, mpf  # noqa: E402
 
 from oracles import precise  # noqa: E402
-from oracles.cases import CASES, Case  # noqa: E402
+from oracles.cases import CASES  # noqa: E402
 
 DIGITS, CHECK_DIGITS, WRITTEN = 40, 52, 25
 AGREEMENT = mpf(10) ** -24  # largest difference allowed between the two solutions, absolute in SI
 
 
-def mid_phase_times(solution: precise.Solution) -> list[float]:
+def mid_phase_times(solution):
     """Doubles well inside the pieces between events, at most about two dozen."""
-    times: list[float] = []
+    times = []
     brief = solution.case.rest_below > 0.0  # thousands of bounces need no samples
     marks = sorted({e["t"] for e in solution.events if not (brief and e["from"] == e["to"] == "H")})
     parts = 8 if len(marks) <= 3 else 2 if len(marks) <= 9 else 1
@@ -40,7 +37,7 @@ def mid_phase_times(solution: precise.Solution) -> list[float]:
     return times
 
 
-def largest_difference(a: Any, b: Any) -> mpf:
+def largest_difference(a, b):
     """Largest absolute difference between the numbers of two nested results of one shape."""
     if isinstance(a, dict):
         assert a.keys() == b.keys()
@@ -54,7 +51,7 @@ def largest_difference(a: Any, b: Any) -> mpf:
     return mpf(0)
 
 
-def result(case: Case, digits: int) -> dict[str, Any]:
+def result(case, digits):
     """Events, mid-phase samples and energies of a case."""
     solution = precise.solve(case, digits)
     with mp.workdps(digits):
@@ -74,7 +71,7 @@ def result(case: Case, digits: int) -> dict[str, Any]:
         }
 
 
-def written(thing: Any) -> Any:
+def written(thing):
     """The same with every number of many digits as a string of 25 digits."""
     if isinstance(thing, dict):
         return {key: written(item) for key, item in thing.items()}
@@ -83,7 +80,7 @@ def written(thing: Any) -> Any:
     return mp.nstr(thing, WRITTEN) if isinstance(thing, mpf) else thing
 
 
-def main(names: list[str]) -> None:
+def main(names):
     """Solve, compare and write."""
     for case in CASES:
         if names and case.name not in names:

@@ -4,11 +4,8 @@ A draw takes its numbers from Python's generator, of which the seed tells the sc
 scenario that fails as plain as it can.
 """
 
-from __future__ import annotations
-
 import math
 from random import Random
-from typing import Any
 
 from hophoop.vocabulary.names import LAW_CODES
 from hophoop.vocabulary.parameters import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Range
@@ -21,17 +18,17 @@ class Extreme(Random):
     """Draws every magnitude, the ends of ranges, and the next doubles to them."""
 
 
-def magnitude(random: Random, least: float, most: float) -> float:
+def magnitude(random, least, most):
     """A positive number, log-uniform."""
     return min(max(10.0 ** random.uniform(math.log10(least), math.log10(most)), least), most)
 
 
-def share(random: Random) -> float:
+def share(random):
     """A number from 0 to 1, of any magnitude."""
     return random.choice([0.0, 1.0, random.uniform(0.0, 1.0), magnitude(random, TINY, 1.0)])
 
 
-def of_range(random: Random, allowed: Range | str, usual: float) -> float:
+def of_range(random, allowed, usual):
     """A number of a range or a parameter: an end, a special value, one of any magnitude, or one like the usual one."""
     allowed = RANGES[allowed] if isinstance(allowed, str) else allowed
     usually = ["usual", "usual", "near", "near", "any", "any", "special"]
@@ -51,14 +48,14 @@ def of_range(random: Random, allowed: Range | str, usual: float) -> float:
     return value if allowed.holds(value) else min(max(value, allowed.least), allowed.most)
 
 
-def parts(random: Random, radius: float) -> list[dict[str, Any]]:
+def parts(random, radius):
     """Parts of a hoop that lie within its radius; the first is a ring with inertia, which bodies of points have not."""
     found = [{"shape": "ring", "mass": magnitude(random, 1e-3, 1e3), "inner_radius": 0.9 * radius, "outer_radius": radius}]
     for _ in range(random.choice(range(5))):
         shape = random.choice(["ring", "disk", "point_mass", "rod"])
         size = radius * random.uniform(1e-3, 1.0)
         at = random.uniform(-1.0, 1.0) * (radius if shape == "point_mass" else radius - size)
-        kinds: dict[str, dict[str, Any]] = {
+        kinds = {
             "ring": {"inner_radius": size * random.uniform(0.0, 1.0), "outer_radius": size},
             "disk": {"radius": size, "at": at},
             "point_mass": {"at": at},
@@ -68,7 +65,7 @@ def parts(random: Random, radius: float) -> list[dict[str, Any]]:
     return found
 
 
-def hoop(random: Random) -> dict[str, Any]:
+def hoop(random):
     """Ideal, of any (ε, κ), nearly massless and massless hoops."""
     keys = {"radius": of_range(random, "hoop.radius", 1.0), "mass": of_range(random, "hoop.mass", 1.0)}
     kind = random.choice(["ideal", "ideal", "general", "light", "massless"])
@@ -84,7 +81,7 @@ def hoop(random: Random) -> dict[str, Any]:
     return keys
 
 
-def plane(random: Random, massless: bool, compliant: bool) -> dict[str, Any]:
+def plane(random, massless, compliant):
     """Without gravity and with a lot, smooth, rough and infinitely rough, level and steep."""
     static = of_range(random, "plane.mu", 1.0)
     if compliant and math.isinf(static):
@@ -103,7 +100,7 @@ def plane(random: Random, massless: bool, compliant: bool) -> dict[str, Any]:
     return keys if massless else {**keys, "rolling_resistance": random.choice(resistance)}
 
 
-def start(random: Random) -> dict[str, Any]:
+def start(random):
     """Rolling, slipping, flying, striking and at rest."""
     angle = random.choice([random.uniform(-4.0, 4.0), random.choice(ANGLES), of_range(random, "start.angle", 1.0)])
     keys = {"x": random.choice([0.0, 0.0, of_range(random, "start.x", 1.0)]), "angle": angle}
@@ -119,12 +116,12 @@ def start(random: Random) -> dict[str, Any]:
     return {**keys, "vy": -abs(vy)} if kind == "strike" else {**keys, "vy": vy, "height": of_range(random, "start.height", 1.0)}
 
 
-def contact(random: Random, compliant: bool, body: dict[str, Any], where: dict[str, Any]) -> dict[str, Any]:
+def contact(random, compliant, body, where):
     """Rigid, or compliant with any law, of a stiffness that goes with the hoop."""
     limit = random.choice([1, 7, 400, 400, 2000, 2000])
     if not compliant:
         return {"model": "rigid", "max_events": limit}
-    keys: dict[str, Any] = {
+    keys = {
         "model": "compliant",
         "max_events": limit,
         "law": random.choice(["kelvin-voigt", "hunt-crossley"]),
@@ -148,7 +145,7 @@ def contact(random: Random, compliant: bool, body: dict[str, Any], where: dict[s
     return {name: value for name, value in keys.items() if value is not None}
 
 
-def scenario(random: Random, share_compliant: int = 3, turns: float | None = None) -> dict[str, Any]:
+def scenario(random, share_compliant=3, turns=None):
     """The keys of a scenario; one in so many is compliant, and `turns` bounds the work by a shorter duration."""
     body, begin = hoop(random), start(random)
     massless = body.get("inertia_ratio") == 0.0

@@ -3,8 +3,6 @@
 `HOPHOOP_FUZZ=100000 python -m pytest tests/fuzz -m random` tries a hundred thousand.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import multiprocessing
@@ -16,14 +14,13 @@ import warnings
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 from random import Random
-from typing import Any
 
 import pytest
 
 import hophoop as hh
 from fuzz.draws import Extreme, scenario
 from hophoop.kernel.native import forced
-from invariants import Finding, findings
+from invariants import findings
 from symmetries import mirror_finding, mirrored, scaled, units_finding
 
 ONE_IN, TURNS = 8, 200.0  # is compliant; so short that thousands of them take half a minute
@@ -33,13 +30,13 @@ OPEN = {"29701": ["normal force"]}  # in slip next to the paradox, after a doubt
 ONCE_OPEN = Path(__file__).parents[1] / "data" / "once_open"
 
 
-def digest(motion: hh.Trajectory) -> str:
+def digest(motion):
     """Of all that the simulation wrote."""
     tables = motion.tables
     return hashlib.sha256(tables["events"].tobytes() + tables["segments"].tobytes() + motion.status.encode()).hexdigest()
 
 
-def all_findings(motion: hh.Trajectory) -> list[Finding]:
+def all_findings(motion):
     """Deviations from every invariant, and from both symmetries where they are promised; nothing after time that runs back."""
     found = findings(motion)
     if found[-1].invariant != "ledger":
@@ -51,7 +48,7 @@ def all_findings(motion: hh.Trajectory) -> list[Finding]:
     return found
 
 
-def problems(keys: dict[str, Any], file: Path | None = None) -> list[Any]:
+def problems(keys, file=None):
     """What is wrong with the motion of a scenario file's keys; with a file, also where that does not give it back to the bit.
 
     Anything that is raised is a failure, except for a ValueError in one sentence where the scenario is refused.
@@ -66,7 +63,7 @@ def problems(keys: dict[str, Any], file: Path | None = None) -> list[Any]:
         began = time.process_time()
         motion = hh.simulate(given)
         seconds = time.process_time() - began
-        found: list[Any] = [each for each in all_findings(motion) if each.broken]
+        found = [each for each in all_findings(motion) if each.broken]
         json.dumps(motion.to_dict(), allow_nan=False)
         if file is not None:
             motion.save(file)
@@ -123,7 +120,7 @@ def test_what_once_failed(compiled):
     assert open_still == OPEN
 
 
-def answer(seed: int) -> str:
+def answer(seed):
     """The motion of a scenario, to the last bit."""
     try:
         return digest(hh.simulate(hh.Scenario.from_dict(scenario(Random(seed), ONE_IN, TURNS))))

@@ -1,7 +1,5 @@
 """Fates: decided early by physics, checked by following the motion much longer."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Passages of a section and the derivative of the return map, compared with single motions and 30 digits."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -15,7 +15,7 @@ PERIODS = 20  # more of a gait that must repeat itself
 REPEATS = 1e-7  # relative difference of θ̇ that is a repetition
 
 
-def scenario_of(seed: int, index: int) -> hh.Scenario:
+def scenario_of(seed, index):
     """The scenario for which (seed, index) tells everything, in units of R and g."""
     random = np.random.default_rng([seed, index])
     plane = hh.Plane(
@@ -30,7 +30,7 @@ def scenario_of(seed: int, index: int) -> hh.Scenario:
     return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start.rolling(float(random.uniform(-4.0, 4.0)), angle=angle))
 
 
-def holds(given: hh.Scenario, fate: str, period: int, decided_at: int) -> bool:
+def holds(given, fate, period, decided_at):
     """Whether a much longer motion does what its fate says."""
     if fate == "rests":
         return hh.simulate(given.replace("duration", AGES)).status == "at_rest"

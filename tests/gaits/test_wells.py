@@ -1,7 +1,5 @@
 """Wells of energy: what a hoop on a slope never leaves is proved by bounds, which long motions test."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Arguments are packed into plain memory as the library's functions read it, and results come back from there."""
 
-from __future__ import annotations
-
 import ctypes
 import struct
 import threading

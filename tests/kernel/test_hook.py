@@ -1,7 +1,5 @@
 """The build hook: which wheel is made for which machine, and what is packed into it."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import re
@@ -19,7 +17,7 @@ FILE = Path(__file__).parents[2] / "hatch_build.py"
 
 
 @pytest.fixture
-def module(monkeypatch: pytest.MonkeyPatch):
+def module(monkeypatch):
     """The hook's module, on a machine with all tools and no wishes."""
     monkeypatch.setattr(sys, "path", list(sys.path))
     for name in ("HOPHOOP_TARGET", "HOPHOOP_BUILD"):
@@ -43,7 +41,7 @@ def hook(module):
 
 
 @pytest.fixture
-def built(module, monkeypatch: pytest.MonkeyPatch):
+def built(module, monkeypatch):
     """Commands of a build that writes two libraries, beside one of another build."""
     commands = []
 
@@ -60,7 +58,7 @@ def built(module, monkeypatch: pytest.MonkeyPatch):
     return commands
 
 
-def made_by(hook, version: str = "standard") -> dict:
+def made_by(hook, version="standard"):
     data = {"force_include": {}}
     hook.initialize(version, data)
     return data

@@ -1,7 +1,5 @@
 """The library of compiled kernels: equal to the interpreted kernels to the bit, and not used where it is not theirs."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import sys
@@ -21,12 +19,12 @@ MACHINES = {"linux-aarch64": 183, "linux-x86_64": 62}  # as ELF numbers them
 RUN = "hophoop.kernel.rigid.run.run"
 
 
-def told(folder: Path) -> dict:
+def told(folder):
     return json.loads((folder / native.MANIFEST).read_text(encoding="utf-8"))
 
 
 @pytest.fixture
-def copied(tmp_path: Path) -> Path:
+def copied(tmp_path):
     """A copy of the library."""
     return Path(shutil.copytree(native.HERE, tmp_path / "library"))
 
@@ -58,7 +56,7 @@ def test_a_library_that_does_not_fit_is_told_of_and_not_used(copied, monkeypatch
     monkeypatch.setattr(native, "HERE", copied)
     manifest, right = copied / native.MANIFEST, told(copied)
 
-    def why() -> str:
+    def why():
         found = native._found.__wrapped__()
         if isinstance(found, str):
             return found
@@ -127,7 +125,7 @@ def test_libraries_are_built_and_what_has_not_changed_is_not_compiled_again(tmp_
     pytest.importorskip("ziglang")
     cache = tmp_path / "cache"
 
-    def build(name: str, *targets: str) -> Path:
+    def build(name, *targets):
         done = started("-c", SMALL, *targets, "--out", str(tmp_path / name), HOPHOOP_BUILD_CACHE=str(cache))
         assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
         return tmp_path / name

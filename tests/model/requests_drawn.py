@@ -1,10 +1,7 @@
 """Requests drawn at random, allowed and not, as a page would send them: the seed alone tells which."""
 
-from __future__ import annotations
-
 import math
 from random import Random
-from typing import Any
 from urllib.parse import quote_plus
 
 from fuzz import draws
@@ -20,7 +17,7 @@ NUMBERS = [
 ]  # fmt: skip
 
 
-def plain(value: Any) -> Any:
+def plain(value):
     """As JSON of a page has it: no number without a fraction has a point."""
     if isinstance(value, dict):
         return {key: plain(item) for key, item in value.items()}
@@ -33,12 +30,12 @@ def plain(value: Any) -> Any:
     return value
 
 
-def some(random: Random, keys: dict[str, Any]) -> dict[str, Any]:
+def some(random, keys):
     """Some of the keys, in any order."""
     return {name: keys[name] for name in random.sample(list(keys), random.randint(0, len(keys)))}
 
 
-def scenario(random: Random, odd: float) -> dict[str, Any]:
+def scenario(random, odd):
     """The keys of a scenario, or of a part of one, with some chance of something that has no business there."""
     keys = draws.scenario(random)
     if random.random() < 0.3:
@@ -55,7 +52,7 @@ def scenario(random: Random, odd: float) -> dict[str, Any]:
     return keys
 
 
-def spoil(random: Random, keys: Any) -> None:
+def spoil(random, keys):
     """Put something odd, or a key that there is not, somewhere into keys; or leave one out."""
     name = random.choice(list(keys) if isinstance(keys, dict) else range(len(keys)))
     if isinstance(keys[name], dict | list) and keys[name] and random.random() < 0.8:
@@ -68,7 +65,7 @@ def spoil(random: Random, keys: Any) -> None:
         keys[name] = random.choice(ODD)
 
 
-def flat(keys: Any, path: str = "") -> list[tuple[str, Any]]:
+def flat(keys, path=""):
     """The leaves of nested keys, as a link has them."""
     items = keys.items() if isinstance(keys, dict) else enumerate(keys) if isinstance(keys, list) else None
     if items is None:
@@ -76,7 +73,7 @@ def flat(keys: Any, path: str = "") -> list[tuple[str, Any]]:
     return [leaf for key, one in items for leaf in flat(one, f"{path}.{key}" if path else key)]
 
 
-def query(random: Random, odd: float) -> str:
+def query(random, odd):
     """A link, mostly one that can be read."""
     pairs = [(path, str(one)) for path, one in flat(scenario(random, odd))]
     if random.random() < 0.2:
@@ -91,7 +88,7 @@ def query(random: Random, odd: float) -> str:
     return random.choice(["", "?"]) + text + random.choice(["", "", "&", "&plane.mu", "%ff=%zz"] if odd else [""])
 
 
-def changes(random: Random, odd: float) -> list[Any]:
+def changes(random, odd):
     """Changes as sliders, choices and the table of parts make them, with some chance of an odd value."""
     keys = {"duration": 1.0, **scenario(random, 0.0)}
     known = [
@@ -102,12 +99,12 @@ def changes(random: Random, odd: float) -> list[Any]:
     return [[path, random.choice(ODD) if random.random() < 0.3 * odd else one] for path, one in made]
 
 
-def request(seed: int) -> dict[str, Any]:
+def request(seed):
     """A request; of every three two are meant to be allowed."""
     random = Random(seed)
     odd = random.choice([0.0, 0.0, 0.5])
     preset = random.choice(presets()).scenario
     bodies = [{}, {"query": preset.to_query()}, {"scenario": preset.to_dict()}]
     bodies += 3 * [{"scenario": scenario(random, odd)}, {"query": query(random, odd)}]
-    body: dict[str, Any] = random.choice(bodies)
+    body = random.choice(bodies)
     return plain({**body, "changes": changes(random, odd)} if random.random() < 0.5 else body)

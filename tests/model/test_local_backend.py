@@ -1,11 +1,8 @@
 """The page without a server, in Node with the WebAssembly module: its answers and files are those of Python's calls."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -30,7 +27,7 @@ from web_tools import english, needs_node
 
 pytestmark = needs_node
 
-BODIES: list[dict[str, Any]] = [
+BODIES = [
     {},
     {"query": "plane.mu=0.3&start.speed=0.1&plane.restitution=0.5", "changes": [["start.height", 0.3]]},
     {"scenario": {"hoop": {"load_fraction": 1}, "duration": 3}},
@@ -54,7 +51,7 @@ def chosen(scenario):
     return dict(zip(("contact.stiffness", "contact.slip_speed"), sizes, strict=True))
 
 
-def of_python(body: dict[str, Any]) -> hh.Trajectory:
+def of_python(body):
     return hh.simulate(within(asked(json.loads(json.dumps(body)))))
 
 
@@ -115,7 +112,7 @@ def test_a_motion_that_doubles_do_not_decide_is_said():
 
 def test_a_part_of_a_film_is_finer():
     scenario = hh.Scenario(duration=200.0)
-    windows: list[Any] = [[0, 3.5], [100.2, 101.9], [199.5, 250]]
+    windows = [[0, 3.5], [100.2, 101.9], [199.5, 250]]
     asked = [{"scenario": scenario.to_dict(), "window": window} for window in windows]
     for body, answer in zip(asked, answers("samples", asked), strict=True):
         arrays, (begin, end) = answer["value"], body["window"]
@@ -187,7 +184,7 @@ def test_maps_are_those_of_python(what):
             assert english(one["text"]) == class_text(one["name"], what)
 
 
-def of_sweep(body: dict[str, Any]) -> Any:
+def of_sweep(body):
     """The same map by Python, which refuses axes with values that no cell may have."""
     axes, masks = {}, []
     for axis in (body["y"], body["x"]):

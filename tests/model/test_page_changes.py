@@ -1,10 +1,7 @@
 """What the page says of a little more of a parameter, in Node with the WebAssembly module, follows Python's derivatives."""
 
-from __future__ import annotations
-
 import math
 import random
-from typing import Any
 
 import pytest
 
@@ -25,7 +22,7 @@ SCENARIOS = 60
 SEED = 20261129
 
 
-def drawn() -> list[hh.Scenario]:
+def drawn():
     """Random motions as visitors make them: rolling and free, on slopes, with bounces and with resistance."""
     draw = random.Random(SEED)
     found = []
@@ -43,7 +40,7 @@ def drawn() -> list[hh.Scenario]:
     return found
 
 
-def paths_of(scenario: hh.Scenario) -> list[str]:
+def paths_of(scenario):
     """The sliders that the page offers for it."""
     free = scenario.start.speed is None
     start = ["angle", "height", "vx", "vy", "omega"] if free else ["angle", "speed"]
@@ -52,7 +49,7 @@ def paths_of(scenario: hh.Scenario) -> list[str]:
     return [f"{section}.{name}" for section, names in sections.items() for name in names]
 
 
-def changes(asked: list[tuple[hh.Scenario, str]]) -> list[dict[str, Any] | None]:
+def changes(asked):
     """What the page finds for parameters of scenarios."""
     bodies = [
         {"scenario": scenario.to_dict(), "path": path, "value": value_of(scenario, path), "step": STEPS[path]}
@@ -61,13 +58,13 @@ def changes(asked: list[tuple[hh.Scenario, str]]) -> list[dict[str, Any] | None]
     return [answer["value"] for answer in answers("changes", bodies)]
 
 
-def of(scenario: hh.Scenario, path: str) -> dict[str, Any]:
+def of(scenario, path):
     (found,) = changes([(scenario, path)])
     assert found is not None
     return found
 
 
-def test_rates_of_60_motions_are_the_derivatives() -> None:
+def test_rates_of_60_motions_are_the_derivatives():
     asked = [(scenario, path) for scenario in drawn() for path in paths_of(scenario)]
     compared = whole = 0
     for (scenario, path), found in zip(asked, changes(asked), strict=True):
@@ -97,16 +94,16 @@ OTHERS = [
 
 
 @pytest.mark.parametrize(("query", "path", "count"), OTHERS)
-def test_nothing_is_said_beyond_an_event_that_another_one_follows(query: str, path: str, count: int) -> None:
+def test_nothing_is_said_beyond_an_event_that_another_one_follows(query, path, count):
     found = of(hh.Scenario.from_query(query), path)
     assert (len(found["events"]), found["edge"], found["sided"]) == (count, True, False)
 
 
-def test_nothing_is_said_beyond_a_touch_that_a_little_more_avoids() -> None:
+def test_nothing_is_said_beyond_a_touch_that_a_little_more_avoids():
     """A hoop that spins so fast that its rim comes down and goes up again; and one that just hops."""
     hoop, plane = hh.Hoop(eccentricity=0.9, inertia_ratio=0.1), hh.Plane(mu=0.5)
 
-    def thrown(height: float) -> hh.Scenario:
+    def thrown(height):
         return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start(height=height, vy=1.3, omega=9.5, angle=3.88), duration=0.3)
 
     for height in halved(0.1, 0.3, lambda height: bool(hh.simulate(thrown(height)).find("impact"))):
@@ -121,7 +118,7 @@ def test_nothing_is_said_beyond_a_touch_that_a_little_more_avoids() -> None:
         assert kinds == ["start", "slip_start", "stick", "slip_start"]
 
 
-def test_endless_bounces_keep_their_rates_beyond_their_end() -> None:
+def test_endless_bounces_keep_their_rates_beyond_their_end():
     """As long as there are as many of them on both sides."""
     scenario = hh.Scenario.from_query(
         "start.height=0.3&start.vx=1&start.omega=2&plane.mu=0.3&plane.restitution=0.5&duration=1.2"
@@ -141,7 +138,7 @@ def test_endless_bounces_keep_their_rates_beyond_their_end() -> None:
         ("duration=2", "plane.rolling_resistance", 1),
     ],
 )
-def test_at_an_edge_the_rates_are_those_of_the_side_that_is_allowed(query: str, path: str, way: int) -> None:
+def test_at_an_edge_the_rates_are_those_of_the_side_that_is_allowed(query, path, way):
     scenario = hh.Scenario.from_query(query)
     found, motion = of(scenario, path), hh.simulate(scenario)
     assert (found["way"], found["edge"], found["sided"]) == (way, True, False)
@@ -152,7 +149,7 @@ def test_at_an_edge_the_rates_are_those_of_the_side_that_is_allowed(query: str, 
 
 
 @pytest.mark.parametrize("path", ["start.vx", "start.omega"])
-def test_at_a_corner_the_rates_are_those_of_a_larger_parameter(path: str) -> None:
+def test_at_a_corner_the_rates_are_those_of_a_larger_parameter(path):
     """A hoop dropped without rotation lands without slip: a little slip against the one to come is stopped first."""
     scenario = hh.Scenario.from_query("plane.mu=0.2&plane.restitution=0.4&start.height=0.5&start.angle=2&duration=0.4")
     motion, found = hh.simulate(scenario), of(scenario, path)
@@ -163,5 +160,5 @@ def test_at_a_corner_the_rates_are_those_of_a_larger_parameter(path: str) -> Non
     assert abs(downward - upward) > 0.01 * abs(upward)
 
 
-def test_a_parameter_that_can_be_no_other_has_no_rates() -> None:
+def test_a_parameter_that_can_be_no_other_has_no_rates():
     assert changes([(hh.Scenario.from_query("plane.mu=0&start.speed=1"), "plane.mu_kinetic")]) == [None]

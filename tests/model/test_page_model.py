@@ -1,7 +1,5 @@
 """The page's own scenarios, in Node: Python reads what it writes as the same scenario and refuses what it refuses."""
 
-from __future__ import annotations
-
 import atexit
 import functools
 import json
@@ -12,7 +10,6 @@ import subprocess
 import tempfile
 from collections import Counter
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -34,7 +31,7 @@ pytestmark = needs_node
 
 
 @functools.cache
-def answering() -> Path:
+def answering():
     """The program that answers, with the page's sources in it."""
     folder = tempfile.mkdtemp(prefix="hophoop-")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
@@ -43,7 +40,7 @@ def answering() -> Path:
     return program
 
 
-def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
+def answers(call, bodies):
     """What the page's code makes of bodies, in one process."""
     asked = "".join(json.dumps({"call": call, "body": body}) + "\n" for body in bodies)
     done = subprocess.run(
@@ -59,17 +56,17 @@ def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
     return [json.loads(line, parse_int=whole_number) for line in done.stdout.split("\n") if line]
 
 
-def whole_number(digits: str) -> float:
+def whole_number(digits):
     """An integer, or a double that is not all of its digits."""
     return int(digits) if len(digits) < 16 else float(digits)
 
 
-def finite(value: float) -> float | None:
+def finite(value):
     """What JSON has of a number."""
     return value if math.isfinite(value) else None
 
 
-def of_python(body: Any) -> hh.Scenario | str:
+def of_python(body):
     """The scenario by Python, or the start of the sentence that refuses it, which names the field."""
     try:
         return asked(body)
@@ -77,24 +74,24 @@ def of_python(body: Any) -> hh.Scenario | str:
         return field_of(str(error)).removeprefix("scenario.")
 
 
-def field_of(sentence: str) -> str:
+def field_of(sentence):
     return sentence.split(" ")[0].rstrip(":")
 
 
-def keys_of(query: str) -> list[str]:
+def keys_of(query):
     return [pair.partition("=")[0] for pair in query.split("&")]
 
 
-def comments_of(toml: str) -> list[str]:
+def comments_of(toml):
     """Lines without their values: keys, tables and units."""
     return [line.partition(" = ")[0] + line.partition("#")[1] + line.partition("#")[2] for line in toml.split("\n")]
 
 
-def asked_of(code: str, monkeypatch: pytest.MonkeyPatch) -> hh.Scenario:
+def asked_of(code, monkeypatch):
     """The scenario that a program computes."""
-    found: list[hh.Scenario] = []
+    found = []
 
-    def simulate(hoop: hh.Hoop, plane: hh.Plane, start: hh.Start, **rest: Any) -> None:
+    def simulate(hoop, plane, start, **rest):
         found.append(hh.Scenario(hoop=hoop, plane=plane, start=start, **rest))
         raise StopIteration
 
@@ -105,9 +102,9 @@ def asked_of(code: str, monkeypatch: pytest.MonkeyPatch) -> hh.Scenario:
     return found[0]
 
 
-def compare(seeds: range, monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
+def compare(seeds, monkeypatch):
     bodies = [json.loads(json.dumps(request(seed))) for seed in seeds]
-    kinds: Counter[str] = Counter()
+    kinds = Counter()
     for seed, body, answer in zip(seeds, bodies, answers("scenario", bodies), strict=True):
         expected, what = of_python(body), f"request({seed}) = {json.dumps(body)}"
         kinds.update(list(answer))
@@ -140,7 +137,7 @@ def test_requests_are_read_alike(seeds, monkeypatch):
 # Numbers and texts
 
 
-def doubles() -> list[float]:
+def doubles():
     draw = random.Random(3)
     values = [0.5 + k for k in range(12)] + [2.5e-5, 0.00015, 123456.5, 99.95, 1e21, 1e22, 1e-7, 5e-324, -2.0, 1e16]
     values += [draw.uniform(-1.0, 1.0) * 10.0 ** draw.uniform(-310, 308) for _ in range(3000)]

@@ -1,7 +1,5 @@
 """Balls, the copier of the kernel's functions, python-flint's settings and the clock: nothing uncertain passes."""
 
-from __future__ import annotations
-
 import math
 import threading
 
@@ -132,7 +130,7 @@ def numbers_frame():
 @pytest.mark.parametrize("name", MOTIONS)
 def test_an_undecided_comparison_in_any_copied_function_leaves_the_motion_undecided(name, monkeypatch):
     monkeypatch.setattr(solver, "TRIES", 1)
-    seen: set[str] = set()
+    seen = set()
     with monkeypatch.context() as patched:
         compare_in(patched, seen.add)
         prove(MOTIONS[name], 8)

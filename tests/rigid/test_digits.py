@@ -1,7 +1,5 @@
 """Motions that ask much of doubles, most of them once wrong: they have the events of extended precision, and their digits."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Estimated errors of events where calculus gives them: rounding of each event, times what the motion makes of it."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -14,7 +12,7 @@ ROUNDING = 4e-16
 RING = hh.Hoop(eccentricity=0.0, inertia_ratio=1.0)  # with radius, mass and gravity 1, all units are 1
 
 
-def motion_of(start: hh.Start, duration: float, hoop: hh.Hoop = RING, **plane: float) -> hh.Trajectory:
+def motion_of(start, duration, hoop=RING, **plane):
     with forced("interpreted"):
         motion = hh.simulate(hoop, hh.Plane(gravity=1.0, restitution=0.0, **plane or {"mu": 0.5}), start, duration=duration)
         assert motion.errors is not None  # computed here

@@ -1,23 +1,20 @@
 """The program against the reference motions: events, dense output, energies, for every mode, law and tie."""
 
-from __future__ import annotations
-
 import math
-from typing import Any
 
 import pytest
 from mpmath import mp, mpf
 
 from oracle_program import STATE, essential, highest_apexes, program_events, reference, simulate
 from oracles import precise
-from oracles.cases import CASES, Case, by_name
+from oracles.cases import CASES, by_name
 
 FORCES = (("friction_force", "friction"), ("normal_force", "normal"))
 ENERGIES = (("friction", "work"), ("kinetic", "kinetic"), ("potential", "potential"))
 LEDGER = ("kinetic", "potential", "friction", "impact_normal", "impact_tangential")
 
 
-def sizes(case: Case) -> dict[str, float]:
+def sizes(case):
     """Natural sizes of the quantities of a motion."""
     speed, weight = math.sqrt(case.gravity * case.radius), case.mass * case.gravity
     return {
@@ -26,7 +23,7 @@ def sizes(case: Case) -> dict[str, float]:
     }  # fmt: skip
 
 
-def check(ours: Any, true: Any, names: Any, size: dict[str, float], tolerance: float, kind: str = "") -> None:
+def check(ours, true, names, size, tolerance, kind=""):
     """Numbers of some names, of ours or of pairs of names, relative to themselves or to the size of their kind."""
     for name in names:
         mine, right = (name, name) if isinstance(name, str) else name
@@ -35,7 +32,7 @@ def check(ours: Any, true: Any, names: Any, size: dict[str, float], tolerance: f
 
 
 @pytest.mark.parametrize("name", [case.name for case in CASES if not case.rest_below])
-def test_events(name: str) -> None:
+def test_events(name):
     """Kinds, modes, times, states and impulses of all events, and where the energy went; 1e-12 where 1e-10 is asked for."""
     data, motion, size = reference(name), simulate(by_name(name)), sizes(by_name(name))
     true = essential(highest_apexes(data["events"]))
@@ -62,7 +59,7 @@ def test_events(name: str) -> None:
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_dense_output(case: Case) -> None:
+def test_dense_output(case):
     """at(t) between the events: state, mode, forces, energies."""
     data, motion, size = reference(case.name), simulate(case), sizes(case)
     for true in data["samples"]:
@@ -75,7 +72,7 @@ def test_dense_output(case: Case) -> None:
 
 
 @pytest.mark.parametrize("name", [case.name for case in CASES if case.rest_below])
-def test_accumulation_of_bounces(name: str) -> None:
+def test_accumulation_of_bounces(name):
     """The limit of endless bounces: its time, the state there, the losses, and the motion that follows."""
     data, motion, size = reference(name), simulate(by_name(name)), sizes(by_name(name))
     limit, *following = [event for event in data["events"] if event["to"] != "H"]
@@ -94,7 +91,7 @@ def test_accumulation_of_bounces(name: str) -> None:
     check(motion.ledger, data["energy"], LEDGER[2:], size, 1e-10, "energy")
 
 
-def test_reference_is_what_the_generator_makes() -> None:
+def test_reference_is_what_the_generator_makes():
     """One case solved again, with other digits and another order, equals the stored strings."""
     case = by_name("bounces_stronge")
     solution = precise.solve(case, digits=32, order=36)

@@ -1,7 +1,5 @@
 """Where a margin on a panel comes to zero, and which end of a panel is first: by polynomials whose zeros are known."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

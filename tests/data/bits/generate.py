@@ -4,8 +4,6 @@ The scenarios were drawn once, of all kinds mixed, so that any part of them is a
 kind `doubt`.
 """
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 
