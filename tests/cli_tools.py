@@ -16,10 +16,10 @@ def run(line, *more, text=None):
     return CliRunner().invoke(app, [*shlex.split(line), *map(str, more)], input=text)
 
 
-def done(line, *more):
-    """The same for one that has to succeed."""
+def done(line, *more, status=0):
+    """The same for one that has to end with this status."""
     found = run(line, *more)
-    assert found.exit_code == 0, found.output
+    assert found.exit_code == status, found.output
     return found
 
 

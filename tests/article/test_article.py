@@ -9,16 +9,15 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
-from typer.testing import CliRunner
 
 import hophoop as hh
 from checkout import text_of
+from cli_tools import done
 from hophoop.article import rolling, slipping
 from hophoop.article.figures import FIGURES
 from hophoop.article.runs import Runs
 from hophoop.article.statement import AGREES, DIFFERS, FAILS, WITHIN_READING
 from hophoop.article.statements import STATED
-from hophoop.cli import app
 
 # the package gives its name to the function
 module = importlib.import_module("hophoop.article.reproduce")
@@ -192,17 +191,16 @@ def test_reproduce_writes_a_report_and_tells_a_failing_statement_by_its_status(f
     monkeypatch.setattr(module, "statements", lambda runs, progress: checked if fails else statements)
     monkeypatch.setattr(module, "FIGURES", FIGURES[:1])
     monkeypatch.setattr(module, "started_films", fake)
-    done = CliRunner().invoke(app, ["reproduce", "--out", str(folder), "--films" if fails else "--no-films"])
-    assert done.exit_code == fails, done.stderr
-    assert "differs" in done.stdout
-    assert ("slow_motion" in done.stderr) == fails
-    assert str(folder / "index.html") in done.stderr
+    found = done("reproduce --out", folder, "--films" if fails else "--no-films", status=fails)
+    assert "differs" in found.stdout
+    assert ("slow_motion" in found.stderr) == fails
+    assert str(folder / "index.html") in found.stderr
     data = json.loads((folder / "statements.json").read_text(encoding="utf-8"))
     assert data["schema"] == "hophoop-article/1"
     assert (data["statements"][0]["verdict"] == FAILS) == fails
     page = (folder / "index.html").read_text(encoding="utf-8")
     assert ('src="films/v3.1.mp4"' in page) == ("<video" in page) == fails
-    assert ("No films: they were not requested" in done.stderr) == (not fails)
+    assert ("No films: they were not requested" in found.stderr) == (not fails)
     assert page.count('src="data:image/svg+xml;base64,') == len(FIGURES)
     for ending in ("svg", "png"):
         assert (folder / "figures" / f"{FIGURES[0].name}.{ending}").stat().st_size > 1000

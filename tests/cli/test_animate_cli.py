@@ -3,7 +3,7 @@
 import pytest
 
 from animate_tools import decoded
-from cli_tools import done, run
+from cli_tools import done
 
 
 @pytest.fixture
@@ -42,7 +42,6 @@ def test_comparisons(hop, tmp_path):
 
 
 def test_a_motion_without_an_answer_is_filmed_and_said(tmp_path):
-    found = run("animate --set contact.max_events=2 --size 64x64 --fps 5 --out", tmp_path / "a.mp4")
-    assert found.exit_code == 1
+    found = done("animate --set contact.max_events=2 --size 64x64 --fps 5 --out", tmp_path / "a.mp4", status=1)
     assert "event_limit" in found.stderr
     assert (tmp_path / "a.mp4").exists()

@@ -4,7 +4,7 @@ import dask
 import pytest
 
 import hophoop as hh
-from cli_tools import HOP, run
+from cli_tools import HOP, done, run
 from hophoop._support.extras import MissingExtra
 from hophoop.scenario import InputError
 
@@ -58,8 +58,9 @@ def test_what_a_user_can_change_is_one_sentence(error, said, fails):
 
 
 def test_an_address_that_the_library_refuses_changes_nothing(tmp_path):
-    found = run("map --axis plane.mu=1:2:3 --axis start.speed=1:2:2 --scheduler x --quiet --out", tmp_path / "a.zarr")
-    assert found.exit_code == 2
+    found = done(
+        "map --axis plane.mu=1:2:3 --axis start.speed=1:2:2 --scheduler x --quiet --out", tmp_path / "a.zarr", status=2
+    )
     assert found.stderr.startswith("Error: --scheduler = 'x' must be an address")
     assert found.stderr.count("\n") == 1
     assert list(tmp_path.iterdir()) == []

@@ -8,7 +8,7 @@ import pytest
 from rich.console import Console
 
 import hophoop as hh
-from cli_tools import done, run, save_track
+from cli_tools import done, save_track
 from hophoop.cli.lab import rounded
 
 pytestmark = pytest.mark.compiled
@@ -56,16 +56,13 @@ def test_the_lab_opens_a_fit_with_values_to_their_error_and_a_slope_within_its_e
     assert len(repr(gamma)) <= 7
     assert abs(gamma - found.values["gamma"]) < 0.2 * found.error("gamma")
     # the data are a table, not a film
-    found = run("lab", file, "--film", file)
-    assert found.exit_code == 2
-    assert "not to a track of a film" in " ".join(found.output.split())
+    refused = done("lab", file, "--film", file, status=2)
+    assert "not to a track of a film" in " ".join(refused.output.split())
     assert len(opened) == 2
 
 
 def test_no_good_fit_is_status_1(table):
-    found = run(f"{FIT} --sigma 1e-4 --fix gamma=0.2", table)
-    assert found.exit_code == 1
-    assert "Wrong: no motion fits" in found.stdout
+    assert "Wrong: no motion fits" in done(f"{FIT} --sigma 1e-4 --fix gamma=0.2", table, status=1).stdout
 
 
 def test_a_window_of_a_table_whose_columns_are_named(table, tmp_path):

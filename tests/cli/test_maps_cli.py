@@ -48,8 +48,7 @@ def test_the_help_lists_the_quantities():
 def test_a_netcdf_map_that_cannot_be_written_in_the_end_is_not_begun(monkeypatch, tmp_path):
     """A Zarr store is written chunk by chunk, netCDF at the end and all at once."""
     monkeypatch.setattr(psutil, "virtual_memory", lambda: SimpleNamespace(total=64e9, available=1e9, free=1e8))
-    refused = run(LARGE, "--out", tmp_path / "map.nc")
-    assert refused.exit_code == 2
+    refused = done(LARGE, "--out", tmp_path / "map.nc", status=2)
     assert "400,000,000 motions, which need 6.6 GB of memory where 1.0 GB are free" in refused.stderr
     assert refused.stderr.endswith("name a file that ends in .zarr.\n")
     assert not list(tmp_path.iterdir())
