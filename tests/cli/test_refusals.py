@@ -147,7 +147,8 @@ REFUSED = {
         "--from 2": "has times from 0 to 0.391667 s, of which 0 are in the window",
     },
     TRACK: {
-        "--marker-color gray": "--marker-color = 'gray' must be auto, none, red",
+        "--marker-color nonsense": "--marker-color = 'nonsense' must be auto, none, red",
+        "--marker-color gray": "--marker-color = 'gray' is too near to gray",
         "--centre 1,2": "rim is missing",
         "--centre a,b": "--centre = 'a,b' must be 2 numbers",
         "--row-delay 1": "--row-delay = 1.0 must be from -0.001 to 0.001",
