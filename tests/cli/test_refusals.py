@@ -138,6 +138,7 @@ REFUSED = {
         "--bound gamma=1": "--bound gamma = '1' must be two numbers",
         "--free t0": "t0 is no parameter of a fit: the time of the start is redundant with its position",
         "--film film.mp4": "--film needs --out",
+        "track.csv --film film.mp4 --out page": "--film is for one run",
         "--save fit.txt": "--save = fit.txt must end in .json",
         "--hoop absent.toml": "absent.toml",
         "--column x": "--column = 'x' must be a name and a value",

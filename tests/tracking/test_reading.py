@@ -233,6 +233,7 @@ RUNS = "t,x Run #1,y Run #1,x Run #2,y Run #2\n"
     [
         ("a.csv", "", "is empty", {}),
         ("a.csv", "1,2\n3,4\n", "has no row of column names", {}),
+        ("a.csv", "0,1,3,1,5\n1,2,3,2,5\n2,3,3,3,5\n", "--column x=2 --column y=3 --column marker_x=4 --column marker_y=5", {}),
         ("a.csv", "t,x,y\n", "has no table", {}),
         ("a.csv", "t,x,y\na,b,c\n", "has no row of numbers", {}),
         ("a.csv", "x,y\n" + rows(3, 2), "has no column of times; its columns are x, y: give --rate 240", {}),

@@ -172,7 +172,9 @@ def test_what_was_found_is_drawn_where_it_is(films, tmp_path):
     # over time: what is there, where it is there
     figure = hh.plots.track(track)
     assert [ax.get_title("left") for ax in figure.axes] == ["x (m)", "Height of the rim above the plane (mm)", "Angle (°)"]
-    np.testing.assert_array_equal(figure.axes[2].lines[0].get_ydata(), np.degrees(track.angle))
+    heights = 1e3 * (track.centre[:, 1] - RADIUS)
+    for ax, drawn_over_time in zip(figure.axes[1:], (heights, np.degrees(track.angle)), strict=True):
+        np.testing.assert_array_equal(ax.lines[0].get_ydata(), drawn_over_time)
     with pytest.raises(ValueError, match=r"over.webm must end in \.mp4"):
         overlay(path, track, tmp_path / "over.webm")
 
