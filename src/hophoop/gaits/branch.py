@@ -147,14 +147,8 @@ class Point:
         return self.near(self.place + step * way, way)
 
     def distance(self, other: Point) -> float:
-        """Return the distance of another point, in θ̇ and the parameter where they have different modes."""
-        if self.map.names == other.map.names:
-            return float(np.linalg.norm(other.place - self.place))
-        return float(np.linalg.norm(other.pair(other.place) - self.pair(self.place)))
-
-    def pair(self, place: Floats) -> Floats:
-        """Return θ̇ and the parameter of a place, which all modes have."""
-        return place[[self.map.names.index("omega"), -1]]
+        """Return the distance of another point in θ̇ and the parameter, which all modes have."""
+        return math.hypot((other.omega - self.omega) / self.map.unit, other.place[-1] - self.place[-1])
 
 
 @dataclass(frozen=True)
@@ -240,10 +234,8 @@ class Branch:
         -------
         numbers : dict
         """
-        names = ("kind", "event", "parameter", "omega")
-        special = [
-            {name: getattr(one, name) for name in names} | {"multipliers": list(one.multipliers)} for one in self.special
-        ]
+        names = ("kind", "event", "parameter", "omega", "multipliers")
+        special = [{name: getattr(one, name) for name in names} for one in self.special]
         columns = {name: getattr(self, name).tolist() for name in ("parameter", "omega", "multiplier")}
         about = {"path": self.path, "period": self.period}
         return {**about, **columns, "sequence": list(self.sequences), "special": special}
@@ -262,12 +254,13 @@ class Branch:
         """
         xr = need("xarray", "maps")
         about = parameter(self.path)
-        variables: dict[str, Any] = {
-            "parameter": ("point", self.parameter, {"units": about.unit or "1", "long_name": about.description}),
-            "omega": ("point", self.omega, {"units": "rad/s", "long_name": "Angular velocity at the passage"}),
-            "multiplier": ("point", self.multiplier, {"units": "1", "long_name": "Multiplier of the period"}),
-            "sequence": ("point", np.array(self.sequences, dtype=str), {"units": "1", "long_name": "Phases of a period"}),
-        }
+        columns = (
+            ("parameter", self.parameter, about.unit or "1", about.description),
+            ("omega", self.omega, "rad/s", "Angular velocity at the passage"),
+            ("multiplier", self.multiplier, "1", "Multiplier of the period"),
+            ("sequence", np.array(self.sequences), "1", "Phases of a period"),
+        )
+        variables = {name: ("point", values, {"units": unit, "long_name": told}) for name, values, unit, told in columns}
         dataset: xarray.Dataset = xr.Dataset(variables, attrs={"path": self.path, "period": self.period})
         return dataset
 

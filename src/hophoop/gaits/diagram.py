@@ -107,12 +107,12 @@ class Diagram:
         rows = [(*found, *[MISSING] * (most - len(found))) for found in self.attractors]
         axes = (self.path, "attractor")
         variables: dict[str, Any] = {
-            name: (axes, np.array([[getattr(one, name) for one in row] for row in rows]), {"units": unit, "long_name": meaning})
+            name: (axes, [[getattr(one, name) for one in row] for row in rows], {"units": unit, "long_name": meaning})
             for name, unit, meaning in _VARIABLES
         }
         omega = [[np.pad(one.omega, (0, kept - len(one.omega)), constant_values=math.nan) for one in row] for row in rows]
         about = {"units": "rad/s", "long_name": "Angular velocity at the passages"}
-        variables["omega"] = ((*axes, "passage"), np.array(omega), about)
+        variables["omega"] = ((*axes, "passage"), omega, about)
         attributes = {
             "Conventions": "CF-1.11", "title": "Attractors of a loaded hoop", "section": self.section,
             "complete": int(self.complete), "scenario": self.scenario.to_query(),
@@ -251,12 +251,9 @@ def _settle(scenario: Scenario, starts: list[Start], known: list[Attractor], cou
     for start in starts:
         given = scenario.replace("start", start)
         found = passages(given, count, section=section, until_decided=True)
-        lands_no_more = found.decided == Fate.GAIT and found.period == 0
-        if lands_no_more:
+        if found.decided == Fate.GAIT and found.period == 0:  # it lands no more
             found = passages(given, count, until_decided=True)
-        seen = _described(found)
-        if lands_no_more:
-            seen = seen._replace(omega=np.empty(0))
+        seen = _described(found, section)
         place = next((k for k, one in enumerate(known) if _same(one, seen)), None)
         if place is not None:
             known[place] = known[place]._replace(starts=known[place].starts + 1)
@@ -275,8 +272,8 @@ def _normal(start: Start) -> Start:
     return start.model_copy(update={"x": 0.0, "angle": angle})
 
 
-def _described(found: Passages) -> Attractor:
-    """Return the attractor of a motion, without its Lyapunov exponent."""
+def _described(found: Passages, section: str) -> Attractor:
+    """Return the attractor of a motion, without its Lyapunov exponent, and without θ̇ at another section."""
     fate, period = found.decided, found.period
     if fate == Fate.GAIT:
         back, kept = period, period
@@ -285,7 +282,8 @@ def _described(found: Passages) -> Attractor:
     else:
         return Attractor(fate)
     speed = float(found.x[-1] - found.x[-1 - back]) / float(found.t[-1] - found.t[-1 - back])
-    seen = Attractor(fate, speed=speed, omega=found.omega[-kept:].copy())
+    omega = found.omega[-kept:].copy() if found.section == section else np.empty(0)
+    seen = Attractor(fate, speed=speed, omega=omega)
     if fate != Fate.GAIT:
         return seen
     return seen._replace(period=period, hops=int(found.hops[-period:].sum()), sequence="·".join(found.sequences[-period:]))
@@ -300,10 +298,8 @@ def _judged(seen: Attractor, found: Passages) -> Attractor:
 
 def _same(one: Attractor, other: Attractor) -> bool:
     """Return True if two motions have settled on the same."""
-    irregular = (Fate.CHAOTIC, Fate.UNDECIDED)
-    if one.fate in irregular and other.fate in irregular:
-        unknown = math.isnan(one.speed) and math.isnan(other.speed)
-        return unknown or math.isclose(one.speed, other.speed, rel_tol=SAME_CHAOS)
-    if one.fate != other.fate or one.period != other.period or one.hops != other.hops:
+    fate, its_fate = (Fate.CHAOTIC if each.fate == Fate.UNDECIDED else each.fate for each in (one, other))
+    if (fate, one.period, one.hops) != (its_fate, other.period, other.hops):
         return False
-    return one.fate != Fate.GAIT or math.isclose(one.speed, other.speed, rel_tol=SAME_GAIT)
+    unknown = math.isnan(one.speed) and math.isnan(other.speed)
+    return unknown or math.isclose(one.speed, other.speed, rel_tol=SAME_GAIT if fate == Fate.GAIT else SAME_CHAOS)

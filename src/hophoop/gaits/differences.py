@@ -6,12 +6,13 @@ import math
 from collections.abc import Callable
 from functools import lru_cache
 from itertools import product, takewhile
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+Kept = TypeVar("Kept")
 Values = Callable[[float], "Floats | None"]  # of a function at a distance from a point where it is 0; None on another piece
 
 
@@ -67,6 +68,18 @@ def difference(at: Values, size: int, *, exact: bool = False, sided: bool = True
         if error < ENOUGH:
             break
     return best
+
+
+def last_kept(first: Kept, inside: float, outside: float, keeps: Callable[[float], Kept | None], nearest: float = 0.0) -> Kept:
+    """Return the last one from `first`, at one number, on the way to another that is kept, by bisection."""
+    last = first
+    while (middle := 0.5 * (inside + outside)) not in (inside, outside) and abs(outside - inside) > nearest:
+        tried = keeps(middle)
+        if tried is None:
+            outside = middle
+        else:
+            inside, last = middle, tried
+    return last
 
 
 def _fitted(at: Values, step: float, way: float, fit: Fit) -> tuple[Floats, float]:

@@ -12,6 +12,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.maps import coordinates
@@ -25,7 +26,7 @@ from hophoop.vocabulary.names import sequence_of
 if TYPE_CHECKING:
     from hophoop.gaits.gait import Gait
 
-State = dict[str, Decimal]
+State = NDArray[Any]  # decimals, in the order of the coordinates
 
 LEAST, MOST = 16, 40  # digits
 SPARE = 10  # digits computed beyond
@@ -49,7 +50,7 @@ class PreciseGait(NamedTuple):
         Phases of the period, as in `Gait`.
     """
 
-    state: State
+    state: dict[str, Decimal]
     multiplier: Decimal | None
     multiplier_error: Decimal | None
     sequence: str
@@ -67,34 +68,31 @@ def precise_gait(gait: Gait, digits: int) -> PreciseGait:
     with localcontext() as context:
         context.prec = digits + 2 * SPARE
         state = _solved(gait, names, digits)
-        multiplier, error = _multiplier(gait, state, digits) if len(names) == 1 else (None, None)
+        multiplier, error = _multiplier(gait, names, state, digits) if len(names) == 1 else (None, None)
         context.prec = digits
-        rounded = {name: +value for name, value in state.items()}
+        rounded = {name: +value for name, value in zip(names, state, strict=True)}
         return PreciseGait(rounded, None if multiplier is None else +multiplier, error, gait.sequence)
 
 
 def _solved(gait: Gait, names: tuple[str, ...], digits: int) -> State:
     """Return the coordinates that come back after a period, by Newton's method."""
-    state = {name: Decimal(float(getattr(gait.state, name))) for name in names}
-    size = {name: abs(value) + 1 for name, value in state.items()}
+    state = np.array([Decimal(float(getattr(gait.state, name))) for name in names])
     inverse = np.linalg.inv(np.eye(len(names)) - gait.derivative.matrix)
     for _ in range(STEPS):
-        image = _image(gait, state, digits)
-        step = inverse @ np.array([float(image[name] - state[name]) for name in names])
-        state = {name: state[name] + Decimal(float(change)) for name, change in zip(names, step, strict=True)}
-        if all(abs(change) < 10.0 ** (-digits - 2) * float(size[name]) for name, change in zip(names, step, strict=True)):
+        step = inverse @ (_image(gait, names, state, digits) - state).astype(float)
+        state = state + [Decimal(change) for change in step.tolist()]
+        if np.all(np.abs(step) < 10.0 ** (-digits - 2) * (1.0 + np.abs(state.astype(float)))):
             return state
     raise InputError(f"In {digits} digits no motion near the gait comes back to the section.")
 
 
-def _multiplier(gait: Gait, state: State, digits: int) -> tuple[Decimal, Decimal]:
+def _multiplier(gait: Gait, names: tuple[str, ...], state: State, digits: int) -> tuple[Decimal, Decimal]:
     """Return the derivative by Richardson's extrapolation of central differences, and its last change."""
-    omega = state["omega"]
     table: list[list[Decimal]] = []
     for level in range(LEVELS):
-        step = omega * Decimal(WIDEST) / 2**level
-        ahead, back = (_image(gait, {"omega": place}, digits)["omega"] for place in (omega + step, omega - step))
-        row = [(ahead - back) / (2 * step)]
+        step = state * Decimal(WIDEST) / 2**level
+        (change,), (width,) = _image(gait, names, state + step, digits) - _image(gait, names, state - step, digits), 2 * step
+        row = [change / width]
         for k, before in enumerate(table[-1] if table else []):
             factor = 4 ** (k + 1)
             row.append((factor * row[k] - before) / (factor - 1))
@@ -102,9 +100,9 @@ def _multiplier(gait: Gait, state: State, digits: int) -> tuple[Decimal, Decimal
     return table[-1][-1], abs(table[-1][-1] - table[-2][-1])
 
 
-def _image(gait: Gait, state: State, digits: int) -> State:
+def _image(gait: Gait, names: tuple[str, ...], state: State, digits: int) -> State:
     """Return the coordinates after a period, θ within the revolution of the start."""
-    exact: dict[str, Any] = {name: Fraction(value) for name, value in state.items()}
+    exact: dict[str, Any] = {name: Fraction(value) for name, value in zip(names, state, strict=True)}
     until = NOTHING._replace(landings=gait.period)
     if gait.section == "bottom":
         exact["angle"] = Fraction(_pi(digits + 2 * SPARE))
@@ -119,7 +117,7 @@ def _image(gait: Gait, state: State, digits: int) -> State:
         raise InputError(f"In {digits} digits a motion near the gait has the phases {found}, not {_phases(gait)}.")
     last, revolved = records[-1].state, 2 * units.ctx.pi * gait.revolutions
     values = {"omega": last.om, "slip": last.vt, "vy": last.vn, "angle": last.th - revolved}
-    return {name: units.decimal(values[name], units.of(name)) for name in state}
+    return np.array([units.decimal(values[name], units.of(name)) for name in names])
 
 
 def _phases(gait: Gait) -> str:

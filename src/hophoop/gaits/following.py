@@ -9,9 +9,10 @@ from itertools import product
 import numpy as np
 
 from hophoop.gaits.branch import BORDER, DOUBLING, END, FOLD, JOINS, LIMIT, TOP, Branch, Point, Special
-from hophoop.gaits.differences import Floats
+from hophoop.gaits.differences import Floats, last_kept
 from hophoop.gaits.gait import Gait
-from hophoop.gaits.maps import Image, SectionMap, value_of
+from hophoop.gaits.kernels.layout import BRANCHES, MODE
+from hophoop.gaits.maps import Image, SectionMap, place_of, value_of
 from hophoop.kernel.model import MODE_LETTERS
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
@@ -43,7 +44,7 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     first = None if found is None else Point(image_of, *found)
     if first is None or not first.known:
         raise InputError.of_field("path", path, "a parameter whose derivative exists at this gait")
-    rising = first.tangent if first.tangent[-1] > 0.0 else -first.tangent
+    rising = math.copysign(1.0, first.tangent[-1]) * first.tangent
     back, ahead = (Follower(first, (low / scale, high / scale), turned=turned) for turned in (True, False))
     complete = True
     try:
@@ -87,10 +88,8 @@ class Follower:
         while len(self.points) < MOST_POINTS:
             here = self.points[-1]
             ahead = here.ahead(way, step)
-            if ahead is not None and not self.bounds[0] + AT_LIMIT <= ahead.place[-1] <= self.bounds[1] - AT_LIMIT:
-                if self.leaves(here, ahead):
-                    return
-                ahead = None
+            if ahead is not None:
+                ahead = self.within_range(here, ahead)
             if ahead is not None and (here.distance(ahead) > 2.0 * step or not ahead.known):
                 ahead = None
             if ahead is not None and ahead.apart < JOINED < here.apart:
@@ -101,7 +100,10 @@ class Follower:
             if ahead is not None and ahead.image.key == here.image.key:
                 self.between(here, ahead)
                 self.points.append(ahead)
-                way = ahead.tangent if ahead.tangent @ way > 0.0 else -ahead.tangent
+                if self.is_limit(ahead):
+                    self.add(LIMIT, ahead)
+                    return
+                way = math.copysign(1.0, ahead.tangent @ way) * ahead.tangent
                 step = min(1.5 * step, LONGEST_STEP)
             elif ahead is None and step > SHORTEST_STEP:
                 step *= 0.5
@@ -147,21 +149,21 @@ class Follower:
         if words[0] != words[1] or abs(factors[1] - factors[0]) > SAME:
             self.add(BORDER, last, f"{event}: {words[0]} | {words[1]}", factors)
 
-    def leaves(self, here: Point, ahead: Point) -> bool:
-        """Add the point at the limit of the range that is between two; return False if its phases are others."""
-        limit = self.bounds[0] if ahead.place[-1] < self.bounds[0] + AT_LIMIT else self.bounds[1]
+    def is_limit(self, point: Point) -> bool:
+        """Return True if a point is at a limit of the range."""
+        return min(abs(float(point.place[-1]) - bound) for bound in self.bounds) < AT_LIMIT
+
+    def within_range(self, here: Point, ahead: Point) -> Point | None:
+        """Return a point ahead, or instead of one beyond the range the one at its limit."""
+        limit = min(max(float(ahead.place[-1]), self.bounds[0]), self.bounds[1])
+        if limit == ahead.place[-1]:
+            return ahead
         share = (limit - here.place[-1]) / (ahead.place[-1] - here.place[-1])
-        guess = here.place + share * (ahead.place - here.place)
-        last = here.near(guess, np.eye(len(guess))[-1])
-        if last is None or last.image.key != here.image.key:
-            return False
-        self.between(here, last)
-        self.add(LIMIT, last)
-        return True
+        return here.near(here.place + share * (ahead.place - here.place), np.eye(len(here.place))[-1])
 
     def end(self, last: Point, way: Floats) -> None:
         """Add the end of a branch: the limit of the range, the top of the hill, or that of a piece."""
-        if min(abs(float(last.place[-1]) - bound) for bound in self.bounds) < AT_LIMIT:
+        if self.is_limit(last):
             self.add(LIMIT, last)  # a value beyond may not be allowed at all, such as a restitution below 0
             return
         motion = last.gait.motion()
@@ -170,7 +172,7 @@ class Follower:
             self.add(TOP, last)
             return
         images = (last.map(place) for place in places_beside(last, way))
-        beyond = next((image for image in images if image.passages and image.key != last.image.key), None)
+        beyond = next((image for image in images if len(image.rows) and image.key != last.image.key), None)
         self.add(END, last, "" if beyond is None else boundary(last.image, beyond, last.map.section))
 
     def add(self, kind: str, point: Point, event: str = "", factors: tuple[float, ...] = ()) -> None:
@@ -186,14 +188,12 @@ def furthest(here: Point, way: Floats, step: float, apart: float = 0.0) -> Point
 
     apart: what must remain between the state and that after a part of the period.
     """
-    low, high, last = 0.0, step, here
-    while low < (middle := 0.5 * (low + high)) < high and high - low > NEAREST:
-        tried = on_piece(here, way, middle)
-        if tried is not None and tried.apart > apart:
-            low, last = middle, tried
-        else:
-            high = middle
-    return last
+
+    def kept(length: float) -> Point | None:
+        tried = on_piece(here, way, length)
+        return tried if tried is not None and tried.apart > apart else None
+
+    return last_kept(here, 0.0, step, kept, NEAREST)
 
 
 def on_piece(here: Point, way: Floats, step: float) -> Point | None:
@@ -238,24 +238,22 @@ def gaits_beside(last: Point, way: Floats) -> Iterator[Point]:
 
 def in_its_mode(image_of: SectionMap, place: Floats) -> Point | None:
     """Return the point at a place, on the map of the mode in which the hoop comes back; None if it does not."""
-    if "slip" in image_of.names:  # it may be past 0, where the mode ends
-        k = image_of.names.index("slip")
-        place = place.copy()
-        place[k] = min(place[k], 0.0) if image_of.mode == "S" else max(place[k], 0.0)
+    place = image_of.in_mode(place)
     image = image_of(place)
-    if len(image.passages) == image_of.period and not image_of.comes_back(image):
-        last, mode = image.passages[-1], MODE_LETTERS[image.passages[-1].mode]
+    if len(image.rows) == image_of.period and not image_of.comes_back(image):
+        row = image.rows[-1]
+        mode = MODE_LETTERS[int(row[MODE])]
         image_of = SectionMap(image_of.scenario, image_of.period, image_of.section, mode, image_of.path, image_of.scale)
-        place = np.append(last.place(image_of.section), place[-1])
+        place = np.append(place_of(image_of.section, row), place[-1])
         image = image_of(place)
     return Point(image_of, place, image) if image_of.comes_back(image) else None
 
 
 def boundary(one: Image, other: Image, section: str) -> str:
     """Return the boundary between two images, by their phases and modes."""
-    moved = one.passages[-1].mode != other.passages[-1].mode
-    if moved and section == "bottom":
+    mode, branches = one.rows[-1, [MODE, BRANCHES]] != other.rows[-1, [MODE, BRANCHES]]
+    if mode and section == "bottom":
         return "slip at the section"
-    if one.sequence == other.sequence or (moved and one.passages[-1].branches != other.passages[-1].branches):
+    if one.sequence == other.sequence or (mode and branches):
         return "impact: slip just stops"
     return "phase vanishes" if one.sequence.count("H") == other.sequence.count("H") else "hop vanishes"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support import tables
 from hophoop._support.errors import check_whole
 from hophoop.gaits.maps import SectionDerivative, derivative, eigenvalues, map_of
 from hophoop.gaits.results import Passages
@@ -75,8 +75,7 @@ class Gait:
     @cached_property
     def _sides(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Derivatives of the map on the gait, and of another piece within 1e-8 of it, if there is one."""
-        image_of, point = map_of(self.passages)
-        image = image_of(point)
+        image_of, point, image = map_of(self.passages)
         return image_of.rates(image, point, exact=True), image_of.rates(image, point, across=True)
 
     @property
@@ -87,8 +86,8 @@ class Gait:
     @property
     def stable(self) -> bool:
         """Whether small differences shrink, on both sides of a corner of the map."""
-        sides = [np.abs(np.linalg.eigvals(side)).max() for side in self._sides if np.isfinite(side).all()]
-        return len(sides) > 0 and bool(max(sides) < 1.0)
+        here, across = (abs(eigenvalues(side)[0]) for side in self._sides)
+        return bool(here < 1.0 and not across >= 1.0)
 
     @property
     def time(self) -> float:
@@ -133,8 +132,8 @@ class Gait:
     @property
     def residual(self) -> float:
         """Largest difference of the states a period apart, in units of R and √(g/R) relative to 1 + θ̇ [1]."""
-        image_of, point = map_of(self.passages)
-        return image_of.residual(image_of(point), point)
+        image_of, point, image = map_of(self.passages)
+        return image_of.residual(image.rows[-1], point)
 
     def motion(self, periods: int = 1) -> Trajectory:
         """Return the motion of some periods.
@@ -242,8 +241,7 @@ class Gait:
             "time of a period": f"{self.time:.6g} s",
             "hops": f"{self.hops} in {_counted(abs(self.revolutions), 'revolution')}, up to {self.hop_height:.4g} m",
         }
-        cells = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows.items())
-        return f"<table>{cells}</table>{self.motion()._repr_html_()}"
+        return tables.html(list(rows.items()), left=(0, 1)) + self.motion()._repr_html_()
 
 
 def _counted(number: int, noun: str) -> str:

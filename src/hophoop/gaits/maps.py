@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property, partial
-from itertools import pairwise
 from typing import NamedTuple, cast
 
 import numpy as np
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 
 from hophoop.gaits.computing import FOREVER, PANELS, check, passages
 from hophoop.gaits.differences import Floats, Values, derivative_matrix
-from hophoop.gaits.kernels.layout import BRANCHES, INTEGERS, MODE, OMEGA, PIECE, SECTIONS, STATE, THETA, TURNS, Request
+from hophoop.gaits.kernels.layout import COORDINATES, MODE, OMEGA, PIECE, SECTIONS, THETA, TURNS, Request
 from hophoop.gaits.kernels.passages import follow_passages, new_buffers
 from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.kernel.model import MODE_LETTERS, Body, Mode, inertia_at_height, slip_direction
@@ -42,9 +41,7 @@ NARROW = 2.0**-27  # distance at which another piece is next to a point
 BESIDE = 2.0**-20  # of the neighbours of a Lyapunov exponent
 SOLVED, NEARLY = 1e-13, 1e-11  # largest differences of a fixed point from its image, sought and accepted
 STEPS = 25  # of Newton's method
-MOST_BODIES = 8  # kept, with their values of the parameter
 SLOW = 0.1  # of a difference that is left by a step: then the derivative is computed again
-PHASES = 8 * INTEGERS  # bytes of the phases in a word
 BATCHES, TRANSIENT = 20, 0.1  # of the passages of a Lyapunov exponent, and the share that is left out
 LOAD = "hoop.load_fraction"
 COLUMNS_OF: dict[str, list[int]] = {
@@ -59,8 +56,15 @@ def coordinates(section: str, mode: str) -> tuple[str, ...]:
     return NAMES[_free(section, MODE_LETTERS.index(mode))]
 
 
-def _free(section: str, code: int) -> slice:
-    return slice(int(section == "bottom"), {Mode.ROLL: 2, Mode.FLIGHT: 4}.get(Mode(code), 3))
+def _free(section: str, code: float) -> slice:
+    """Return which of the names are free, by section and code of the mode."""
+    return slice(int(section == "bottom"), {Mode.ROLL: 2, Mode.FLIGHT: 4}.get(Mode(int(code)), 3))
+
+
+def place_of(section: str, row: Floats) -> Floats:
+    """Return the free coordinates of a passage, in units of R and √(R/g)."""
+    place: Floats = row[COORDINATES[_free(section, row[MODE])]]
+    return place
 
 
 def slowest_over_top(scenario: Scenario) -> float:
@@ -107,43 +111,26 @@ class SectionDerivative:
         return eigenvalues(self.matrix)
 
 
-class Passage(NamedTuple):
-    """A passage of a section: the kernel's row, and the word of the motion since the one before."""
-
-    row: Floats
-    word: bytes
-
-    @property
-    def mode(self) -> int:
-        """The mode, as the kernel numbers it."""
-        return int(self.row[MODE])
-
-    @property
-    def branches(self) -> float:
-        """Branches of the impacts, as the kernel packs them."""
-        return float(self.row[BRANCHES])
-
-    def place(self, section: str) -> Floats:
-        """Return its coordinates, in units of R and √(R/g)."""
-        place: Floats = self.row[STATE][_free(section, self.mode)]
-        return place
-
-
 class Image(NamedTuple):
     """What becomes of a point of a section after some passages; fewer if the motion passes it no more."""
 
-    passages: tuple[Passage, ...]
+    rows: Floats  # of the passages, as the kernel writes them
+    words: NDArray[np.uint64]
     turns: int  # revolutions
 
+    def word(self, k: int) -> bytes:
+        """Return what is the same on a piece of the map up to passage k, if there is one: phases, mode, branches of impacts."""
+        return b"".join((self.words[k : k + 1].tobytes(), self.rows[k : k + 1, PIECE].tobytes()))
+
     @property
-    def key(self) -> tuple[bytes, int]:
-        """What is the same on a piece of the map: phases, branches of impacts and revolutions."""
-        return b"".join(one.word for one in self.passages), self.turns
+    def key(self) -> tuple[bytes, bytes, int]:
+        """What is the same on a piece of the map over the whole period."""
+        return self.words.tobytes(), self.rows[:, PIECE].tobytes(), self.turns
 
     @property
     def sequence(self) -> str:
         """Phases, as in `Gait.sequence`."""
-        return "·".join(unpacked_sequence(np.frombuffer(one.word[:PHASES], np.uint64).tolist()) for one in self.passages)
+        return "·".join(map(unpacked_sequence, self.words.tolist()))
 
 
 class SectionMap:
@@ -179,15 +166,13 @@ class SectionMap:
         self._scratch, self._buffers = new_scratch(), new_buffers(max(period, 3))
         self._cell = np.array(cell_of(scenario), dtype=float)
         self._columns = COLUMNS_OF.get(path) or ([CELL.index(PARAMETERS[path].column)] if path else [])
-        self._bodies: dict[float, Body | None] = {}  # no cache of a method, which cannot be pickled
+        self._known: tuple[float, Body | None] = (math.nan, None)  # the last value of the parameter, and its body
 
     def _body(self, value: float) -> Body | None:
-        """Return hoop and plane at a value of the parameter, of which the last ones are kept; None if it is not allowed."""
-        if value not in self._bodies:
-            if len(self._bodies) == MOST_BODIES:
-                self._bodies.clear()
-            self._bodies[value] = self._new_body(value)
-        return self._bodies[value]
+        """Return hoop and plane at a value of the parameter, or None if it is not allowed; the last ones are kept."""
+        if value != self._known[0]:
+            self._known = value, self._new_body(value)
+        return self._known[1]
 
     def _new_body(self, value: float) -> Body | None:
         """Return hoop and plane at a value of the parameter, or None if it is not allowed."""
@@ -199,48 +184,31 @@ class SectionMap:
         allowed = (span is None or span.holds(number)) and refusal(cell, ())[0] == Refusal.NONE
         return body_of(cell.tolist()) if allowed else None
 
-    def _count(self, mode: int, point: Floats, most: int) -> int:
-        """Compute the passages that follow a point into the buffers; return their number."""
+    def follow(self, mode: int, point: Floats, most: int) -> Image:
+        """Return what follows a point in a mode, up to so many passages."""
         place = point.tolist()
         body = self._body(place.pop() if self.path else 0.0)
         th, om, vt, vn, *_ = [math.pi] * int(self.section == "bottom") + place + [0.0, 0.0]
-        if body is None or vt * slip_direction(mode) < -SOLVED:
-            return 0
-        start = start_state(0.0, 0.0, th, vt, vn, om)
-        request = Request(SECTIONS.index(self.section), most, FOREVER, PANELS, False)
-        found: int = compiled(follow_passages)(body, start, mode, request, self._buffers, self._scratch)[1]
-        return found
-
-    def _from(self, mode: int, point: Floats, most: int) -> tuple[Passage, ...]:
-        """Return the passages that follow a point, as many as there are."""
-        found = self._count(mode, point, most)
-        rows, words = self._buffers.numbers[:found].copy(), self._buffers.words[:found]
-        return tuple(Passage(row, word_of(self.section, row, word)) for row, word in zip(rows, words, strict=True))
+        buffers, found = self._buffers, 0
+        if body is not None and vt * slip_direction(mode) >= -SOLVED:
+            start = start_state(0.0, 0.0, th, vt, vn, om)
+            request = Request(SECTIONS.index(self.section), most, FOREVER, PANELS, False)
+            found = compiled(follow_passages)(body, start, mode, request, buffers, self._scratch)[1]
+        rows = buffers.numbers[:found].copy()
+        turns = round(float(rows[-1, TURNS]) + (float(rows[-1, THETA]) - th) / TWO_PI) if found else 0
+        return Image(rows, buffers.words[:found].copy(), turns)
 
     def __call__(self, point: Floats) -> Image:
         """Return the image of a point."""
-        found = self._from(self._code, point, self.period)
-        if not found:
-            return Image((), 0)
-        first = math.pi if self.section == "bottom" else float(point[0])
-        row = found[-1].row
-        return Image(found, round(float(row[TURNS]) + (float(row[THETA]) - first) / TWO_PI))
+        return self.follow(self._code, point, self.period)
 
     def comes_back(self, image: Image) -> bool:
         """Return True if the motion passes the section often enough, and in the end in the mode of the map."""
-        return len(image.passages) == self.period and image.passages[-1].mode == self._code
+        return len(image.rows) == self.period and image.rows[-1, MODE] == self._code
 
-    def returned(self, omega: float) -> tuple[float, bytes]:
-        """Return the image of θ̇ at the bottom, nan if it does not come back in rolling, and the phases on the way to it."""
-        found = self._count(self._code, np.array([omega]), self.period)
-        phases, last = self._buffers.words[:found].tobytes(), self._buffers.numbers[found - 1]
-        if found < self.period or last[MODE] != self._code:
-            return math.nan, phases
-        return float(last[OMEGA]), phases + last[TURNS].tobytes()
-
-    def excess(self, image: Image, point: Floats) -> Floats:
-        """Return the coordinates of the last passage, less those of a point."""
-        return self._change(image.passages[-1].place(self.section), point[: len(self.names)])
+    def excess(self, row: Floats, point: Floats) -> Floats:
+        """Return the coordinates of a passage, less those of a point."""
+        return self._change(place_of(self.section, row), point[: len(self.names)])
 
     def _change(self, place: Floats, before: Floats) -> Floats:
         """Return the difference of coordinates, angles within half a revolution."""
@@ -249,16 +217,16 @@ class SectionMap:
             change[0] = math.remainder(change[0], TWO_PI)
         return change
 
-    def residual(self, image: Image, point: Floats) -> float:
-        """Return the largest difference of the last passage from a point, relative to 1 + θ̇; inf in another mode."""
-        if not image.passages or image.passages[-1].mode != self._code:
+    def residual(self, row: Floats, point: Floats) -> float:
+        """Return the largest difference of a passage from a point, relative to 1 + θ̇; inf in another mode."""
+        if row[MODE] != self._code:
             return math.inf
-        return float(np.abs(self.excess(image, point)).max()) / (1.0 + abs(self.omega(point)) / self.unit)
+        return float(np.abs(self.excess(row, point)).max() / (1.0 + abs(row[OMEGA])))
 
     def apart(self, image: Image, point: Floats) -> float:
         """Return the least such difference after a part of the period."""
-        parts = [image.passages[:part] for part in range(1, self.period) if self.period % part == 0]
-        return min((self.residual(Image(part, 0), point) for part in parts), default=math.inf)
+        parts = (part for part in range(1, self.period) if self.period % part == 0)
+        return min((self.residual(image.rows[part - 1], point) for part in parts), default=math.inf)
 
     # --- derivatives -------------------------------------------------------------------------------
 
@@ -268,32 +236,33 @@ class SectionMap:
         Next to a border of pieces it is that of the piece that the motion is on, of the other piece with `across`, and nan
         unless `sided`.
         """
-        mode, place, count = self._code, point, len(self.names)
+        mode, place, parameter = self._code, point, np.eye(len(point))[len(self.names) :]
         whole = np.eye(len(point))
-        for passage in image.passages:
-            after = passage.place(self.section)
-            word = self._word_beside(mode, place, passage.word) if across else passage.word
+        for k, row in enumerate(image.rows):
+            after, word = place_of(self.section, row), image.word(k)
+            if across:
+                word = self._word_beside(mode, place, word)
             shifted = partial(self.along, mode, place, after, word)
             matrix = derivative_matrix(shifted, len(place), len(after), exact=exact, sided=sided)
-            whole = np.vstack([matrix @ whole, np.eye(len(point))[count:]])
-            mode, place = passage.mode, np.append(after, point[count:])
-        return whole[: len(whole) - len(point) + count]
+            whole = np.vstack([matrix @ whole, parameter])
+            mode, place = int(row[MODE]), np.append(after, point[len(self.names) :])
+        return whole[: len(whole) - len(parameter)]
 
     def along(self, mode: int, point: Floats, after: Floats, word: bytes, direction: Floats) -> Values:
         """Return the change of the next passage from one with a distance along a direction, as far as it has the same word."""
 
         def at(distance: float) -> Floats | None:
-            found = self._from(mode, point + distance * direction, 1)
-            return self._change(found[0].place(self.section), after) if found and found[0].word == word else None
+            found = self.follow(mode, point + distance * direction, 1)
+            return self._change(place_of(self.section, found.rows[0]), after) if found.word(0) == word else None
 
         return at
 
     def _word_beside(self, mode: int, point: Floats, word: bytes) -> bytes:
         """Return another word next to a point; the same one if there is none."""
         for shift in (*np.eye(len(point)), *-np.eye(len(point))):
-            found = self._from(mode, point + NARROW * shift, 1)
-            if found and found[0].word != word:
-                return found[0].word
+            beside = self.follow(mode, point + NARROW * shift, 1).word(0)
+            if beside not in (b"", word):
+                return beside
         return word
 
     # --- fixed points ------------------------------------------------------------------------------
@@ -307,14 +276,12 @@ class SectionMap:
         patient: go on where a step leads farther away.
         """
         place, last, fresh = point, math.inf, False
-        count = len(self.names)
+        plane = np.empty((0, len(point))) if normal is None else normal[None]
         for _ in range(STEPS):
             image = self(place)
             if not self.comes_back(image):
                 return None
-            excess = self.excess(image, place)
-            if normal is not None:
-                excess = np.append(excess, normal @ (place - point))
+            excess = np.append(self.excess(image.rows[-1], place), plane @ (place - point))
             size = float(np.abs(excess).max())
             slow = size > SLOW * last
             if size < SOLVED or (fresh and last <= size < NEARLY):
@@ -324,11 +291,8 @@ class SectionMap:
             fresh = rates is None or slow
             if rates is None or slow:
                 rates = self.rates(image, place)
-            by_point = rates - np.eye(count, len(place))
-            if normal is not None:
-                by_point = np.vstack([by_point, normal])
             try:
-                step = np.linalg.solve(by_point, -excess)
+                step = np.linalg.solve(np.vstack([rates - np.eye(*rates.shape), plane]), -excess)
             except np.linalg.LinAlgError:
                 return None
             if not np.abs(step).max() < 1.0:  # also without a derivative, next to a border
@@ -345,24 +309,25 @@ class SectionMap:
         place = np.array([float(getattr(state, name)) for name in self.names]) / self.units
         return place if value is None else np.append(place, value / self.scale)
 
+    def in_mode(self, point: Floats) -> Floats:
+        """Return a point without slip against the mode, which ends where the slip is 0."""
+        place = point.copy()
+        for k, name in enumerate(self.names):
+            if name == "slip" and place[k] * slip_direction(self._code) < 0.0:
+                place[k] = 0.0
+        return place
+
     def omega(self, point: Floats) -> float:
         """Return θ̇ at a point [rad/s]."""
         return float(point[self.names.index("omega")]) * self.unit
 
     def at(self, point: Floats) -> Scenario:
         """Return the scenario that starts at a point."""
-        values = (point[: len(self.names)] * self.units).tolist()
+        values = (self.in_mode(point)[: len(self.names)] * self.units).tolist()
         state = {"angle": math.pi, "slip": 0.0} | dict(zip(self.names, values, strict=True))
-        state["slip"] = 0.0 if state["slip"] * slip_direction(self._code) < 0.0 else state["slip"]
         start = Start(height=0.0, vx=self.scenario.hoop.radius * state["omega"] + state["slip"], mode=self.mode, **state)
         base = self.scenario.replace(self.path, float(point[-1]) * self.scale) if self.path else self.scenario
         return base.replace("start", start)
-
-
-def word_of(section: str, row: Floats, packed: NDArray[np.uint64]) -> bytes:
-    """Return the phases since the last passage, the mode, the branches of impacts, and at the bottom the way of rotation."""
-    way = section == "bottom" and bool(row[OMEGA] > 0.0)
-    return packed.tobytes() + row[PIECE].tobytes() + bytes([way])
 
 
 def eigenvalues(matrix: Floats) -> Floats | NDArray[np.complex128]:
@@ -411,36 +376,35 @@ def derivative(scenario: Scenario, passages_on: int = 1, *, section: str = "bott
     off = math.remainder(start.angle - math.pi, TWO_PI)
     if section == "bottom" and (abs(off) > ON_SECTION or start.height != 0.0 or start.vy != 0.0):
         raise InputError("start.angle must be pi, with start.height = start.vy = 0: the section is the load at the bottom.")
-    if section == "landing" and start.height != 0.0:
-        raise InputError.of_field("start.height", start.height, "0: the section is just after a landing")
-    if section == "landing" and start.vy < 0.0:
-        raise InputError.of_field("start.vy", start.vy, "at least 0: the section is just after a landing")
+    if section == "landing" and (start.height != 0.0 or start.vy < 0.0):
+        raise InputError("start.height must be 0, with start.vy at least 0: the section is just after a landing.")
     found = passages(scenario, passages_on, section=section)
     if len(found) < passages_on:
         raise InputError(f"passages_on = {passages_on} must be at most {len(found)}: the motion passes its section no more.")
-    image_of, point = map_of(found)
+    image_of, point, image = map_of(found)
     units, rows = Units.of_scenario(scenario), coordinates(section, found.mode[-1])
     scale = np.array([units.of(name) for name in rows])[:, None] / image_of.units
-    return SectionDerivative(image_of.rates(image_of(point), point, exact=True, sided=False) * scale, rows, image_of.names)
+    return SectionDerivative(image_of.rates(image, point, exact=True, sided=False) * scale, rows, image_of.names)
 
 
-def map_of(found: Passages) -> tuple[SectionMap, Floats]:
-    """Return the map from the start of some passages to the last of them, and the point of the start."""
+def map_of(found: Passages) -> tuple[SectionMap, Floats, Image]:
+    """Return the map from the start of some passages to the last of them, the point of the start, and its image."""
     mode = found.scenario.start.mode or found.sequences[0][0]
     image_of = SectionMap(found.scenario, len(found), found.section, mode)
-    return image_of, image_of.point(found.scenario.start)
+    point = image_of.point(found.scenario.start)
+    return image_of, point, image_of(point)
 
 
 def lyapunov_of(found: Passages) -> Lyapunov:
     """Return the mean rate at which near motions separate, by differences from passage to passage; nan without two."""
     section, growth, vector = found.section, [], np.empty(0)
     image_of = SectionMap(found.scenario, section=section)
-    known = [Passage(row, word_of(section, row, word)) for row, word in zip(found.numbers, found.packed, strict=True)]
-    for before, after in pairwise(known[int(TRANSIENT * len(found)) :]):
-        point = before.place(section)
+    image = Image(found.numbers, found.packed, 0)
+    for k in range(int(TRANSIENT * len(found)), len(found) - 1):
+        point, after = (place_of(section, row) for row in found.numbers[k : k + 2])
         if len(vector) != len(point):
             vector = np.ones(len(point)) / math.sqrt(len(point))
-        at = image_of.along(before.mode, point, after.place(section), after.word, vector)
+        at = image_of.along(int(found.numbers[k, MODE]), point, after, image.word(k + 1), vector)
         ahead, back = at(BESIDE), at(-BESIDE)
         if ahead is None or back is None or not (size := float(np.linalg.norm(ahead - back))):
             vector = np.empty(0)  # next to a border, or along a direction that is forgotten

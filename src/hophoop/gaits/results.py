@@ -135,7 +135,7 @@ class Passages:
     @property
     def hops(self) -> NDArray[np.int64]:
         """Hops since the last passage [1]."""
-        return self._column("hops").astype(np.int64)
+        return np.diff(self._column("hops"), prepend=0.0).astype(np.int64)
 
     @property
     def distance(self) -> Floats:
@@ -146,9 +146,7 @@ class Passages:
     @property
     def doubt(self) -> float:
         """Time from which double precision does not decide the motion; inf if it always does [s]."""
-        known = self._column("doubt")
-        known = known[np.isfinite(known)]
-        return float(known[0]) * self._unit.time if len(known) else np.inf
+        return float(np.nanmin(self._column("doubt"), initial=np.inf)) * self._unit.time
 
     @cached_property
     def mode(self) -> tuple[str, ...]:
@@ -202,10 +200,8 @@ class Passages:
         """
         if not -len(self) <= index < len(self):
             raise InputError.of_field("index", index, f"of one of {len(self)} passages")
-        omega, slip = float(self.omega[index]), float(self.slip[index])
-        vx = slip + self.scenario.hoop.radius * omega
-        place = {name: float(getattr(self, name)[index]) for name in ("x", "height", "angle", "vy")}
-        return Start(**place, vx=vx, omega=omega, slip=slip, mode=self.mode[index])
+        state = {name: float(getattr(self, name)[index]) for name in ("x", "height", "angle", "vy", "omega", "slip")}
+        return Start(**state, vx=state["slip"] + self.scenario.hoop.radius * state["omega"], mode=self.mode[index])
 
     # --- what becomes of it ------------------------------------------------------------------------
 

@@ -14,14 +14,15 @@ from numpy.typing import NDArray
 
 from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check
-from hophoop.gaits.maps import FASTEST, PHASES, SectionMap, slowest_over_top
+from hophoop.gaits.differences import last_kept
+from hophoop.gaits.kernels.layout import OMEGA, TURNS
+from hophoop.gaits.maps import FASTEST, SectionMap, slowest_over_top
 from hophoop.kernel.records import unpacked_sequence
 from hophoop.scenario import InputError, Scenario, Start
 
 Progress = Callable[[float], object]
 
 POINTS, DEPTH = 600, 8
-ROUNDS = 80  # of bisection: more than doubles need
 MOST_POINTS = 1_000_000
 CONTINUOUS = 1e-6  # √(g/R): the least difference of two pieces at their common end that is a jump
 
@@ -102,7 +103,7 @@ class ReturnMap:
         after : float
             nan if the hoop slips at the next passage, or there is none [rad/s].
         """
-        return self._map.returned(omega / self._unit)[0] * self._unit
+        return known(self._map, omega / self._unit).after * self._unit
 
     @property
     def _unit(self) -> float:
@@ -173,8 +174,8 @@ def return_map(
     found = []
     for piece in pieces(image, grid, DEPTH, progress):
         omega, after = np.array([(one.omega, one.after) for one in piece]).T * image.unit
-        key = tuple(np.frombuffer(piece[0].word[:PHASES], np.uint64).tolist())
-        found.append(MapPiece(omega, after, unpacked_sequence(key)))
+        phases = np.frombuffer(piece[0].word[0], np.uint64).tolist()
+        found.append(MapPiece(omega, after, unpacked_sequence(phases)))
     if not found:
         raise InputError(f"The hoop does not come back to the bottom in rolling with θ̇ from {first:.6g} to {last:.6g} rad/s.")
     return ReturnMap(image.scenario, tuple(found))
@@ -184,16 +185,21 @@ def return_map(
 
 
 class Known(NamedTuple):
-    """θ̇ at a passage and at the next one, nan if it does not come back in rolling [√(g/R)], and the phases, packed."""
+    """θ̇ at a passage and at the next one, nan if it does not come back in rolling [√(g/R)].
+
+    The word holds the phases, packed, and the revolutions as the kernel counts them.
+    """
 
     omega: float
     after: float
-    word: bytes
+    word: tuple[bytes, float]
 
 
 def known(image: SectionMap, omega: float) -> Known:
     """Return the map at θ̇."""
-    return Known(omega, *image.returned(omega))
+    found = image(np.array([omega]))
+    after, turns = found.rows[-1, [OMEGA, TURNS]].tolist() if image.comes_back(found) else (math.nan, 0.0)
+    return Known(omega, after, (found.words.tobytes(), turns))
 
 
 def pieces(image: SectionMap, grid: list[float], depth: int, progress: Progress | None = None) -> list[list[Known]]:
@@ -229,13 +235,9 @@ def _between(image: SectionMap, left: Known, right: Known, depth: int) -> list[l
 
 def _edge(image: SectionMap, inside: Known, outside: float) -> Known:
     """Return the last double with the phases of the inside, on the way to the outside, and the map there."""
-    for _ in range(ROUNDS):
-        middle = 0.5 * (inside.omega + outside)
-        if middle in (inside.omega, outside):
-            break
-        tried = known(image, middle)
-        if tried.word == inside.word:
-            inside = tried
-        else:
-            outside = middle
-    return inside
+
+    def kept(omega: float) -> Known | None:
+        tried = known(image, omega)
+        return tried if tried.word == inside.word else None
+
+    return last_kept(inside, inside.omega, outside, kept)

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from itertools import pairwise
+from itertools import count, pairwise
 
 import numpy as np
 
 from hophoop._support.errors import check_whole
+from hophoop.gaits.branch import Point
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.differences import Floats
 from hophoop.gaits.gait import Gait
-from hophoop.gaits.kernels.layout import MODE, STATE, T
+from hophoop.gaits.kernels.layout import COORDINATES, MODE, T
 from hophoop.gaits.maps import FASTEST, SectionMap, slowest_over_top
 from hophoop.gaits.results import Passages
-from hophoop.gaits.return_map import Known, pieces
+from hophoop.gaits.return_map import Known, known, pieces
 from hophoop.kernel.numerics.arithmetic import TWO_PI
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
@@ -33,7 +34,6 @@ SHORTEST = 0.1  # √(R/g), of a period: bounces may follow each other faster
 EXACT = 1e-9  # largest residual of a gait; those found have 1e-12 and less
 SAME = 1e-7  # relative difference of θ̇ within which two gaits are one
 DEPTH = 2  # halvings between pieces of the map
-ROUNDS = 80  # of bisection: more than doubles need
 
 
 def find(
@@ -92,8 +92,8 @@ def find(
     low, high = _range(base, near, fastest, section)
     image_of, known = SectionMap(base, period), []
     if section == "bottom":
-        count = GRID if near is not None else min(GRID * period, MOST_GRID)
-        grid = math.copysign(1.0, scenario.plane.slope) * np.linspace(low, high, count)
+        places = GRID if near is not None else min(GRID * period, MOST_GRID)
+        grid = math.copysign(1.0, scenario.plane.slope) * np.linspace(low, high, places)
         known = pieces(image_of, sorted(grid.tolist()), DEPTH, progress)
     points = [(image_of, np.array([omega])) for piece in known for omega in crossings(image_of, piece)]
     gaits: list[Gait] = []
@@ -144,11 +144,11 @@ def _range(scenario: Scenario, near: float | None, fastest: float | None, sectio
 def _gait(image_of: SectionMap, point: Floats) -> Gait | None:
     """Return the gait of a point, if it repeats itself after the period, downhill, and not earlier."""
     image = image_of(point)
-    if not (image_of.residual(image, point) <= EXACT and image_of.comes_back(image) and image.turns):
+    if not (image_of.comes_back(image) and image_of.residual(image.rows[-1], point) <= EXACT and image.turns):
         return None
-    if image.passages[-1].row[T] < SHORTEST or image_of.apart(image, point) <= SAME:
+    if image.rows[-1, T] < SHORTEST or image_of.apart(image, point) <= SAME:
         return None
-    return Gait(passages(image_of.at(point), image_of.period, section=image_of.section))
+    return Point(image_of, point, image).gait
 
 
 def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], section: str) -> Iterator[tuple[SectionMap, Floats]]:
@@ -172,10 +172,8 @@ def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], secti
 def _near_returns(found: Passages, period: int) -> list[int]:
     """Return a few early passages which the motion comes nearest to again after a period."""
     rows = found.numbers[:EARLY]
-    if len(rows) <= period:
-        return []
     one, other = rows[:-period], rows[period:]
-    change = other[:, STATE] - one[:, STATE]
+    change = other[:, COORDINATES] - one[:, COORDINATES]
     change[:, 0] = np.remainder(change[:, 0] + math.pi, TWO_PI) - math.pi
     off = np.abs(change).max(axis=1)
     off[(other[:, MODE] != one[:, MODE]) | (other[:, T] - one[:, T] < SHORTEST)] = math.inf
@@ -210,7 +208,7 @@ def crossings(image: SectionMap, piece: list[Known]) -> Iterator[float]:
     points = [(one.omega, one.after - one.omega) for one in piece]
 
     def excess(omega: float) -> float:
-        return image.returned(omega)[0] - omega
+        return known(image, omega).after - omega
 
     for (a, at_a), (b, at_b) in pairwise(points):
         if at_a * at_b <= 0.0:
@@ -225,16 +223,13 @@ def crossings(image: SectionMap, piece: list[Known]) -> Iterator[float]:
 
 def root(excess: Callable[[float], float], a: float, b: float, at_a: float, at_b: float) -> float:
     """Return a root between two points of different sign, by the secant rule within a bracket, else by bisection."""
-    for k in range(2 * ROUNDS if at_a else 0):
+    for k in count():
         middle = 0.5 * (a + b)
-        if middle in (a, b):
+        if 0.0 in (at_a, at_b) or middle in (a, b):
             break
-        tried = b - at_b * (b - a) / (at_b - at_a) if k % 3 else middle
-        if not min(a, b) < tried < max(a, b):
-            tried = middle
+        secant = b - at_b * (b - a) / (at_b - at_a)
+        tried = secant if k % 3 and a < secant < b else middle
         value = excess(tried)
-        if value == 0.0:
-            return tried
         if math.isnan(value):  # a narrow piece without a map between
             break
         if value * at_a < 0.0:

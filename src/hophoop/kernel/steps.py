@@ -45,7 +45,6 @@ from hophoop.kernel.rigid.phase import (
     Ending,
     Limits,
     Phase,
-    angle_left,
     continue_phase,
     end_motion,
     limits_of,

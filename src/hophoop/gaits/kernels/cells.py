@@ -4,28 +4,27 @@ from __future__ import annotations
 
 import math
 
-from hophoop.gaits.kernels.fates import OPEN, ROLLING_TURNS
+from hophoop.gaits.kernels.fates import OPEN, ROLLING_TURNS, angle_between
 from hophoop.gaits.kernels.layout import (
     BOTTOM,
     FINAL_HOP_HEIGHT,
     FINAL_LOSS,
     FINAL_OMEGA,
     HIGHEST,
+    HOPS,
     LYAPUNOV,
     MEAN_SPEED,
     MODE,
-    NUMBERS,
     OMEGA,
     REVOLUTIONS,
     ROLL,
-    Request,
     T,
     X,
 )
-from hophoop.gaits.kernels.passages import LOST, ROWS, TURNED, follow_passages, hops_in, lands_no_more, new_buffers, turns_in
+from hophoop.gaits.kernels.passages import LOST, ROWS, TURNED, follow_passages, lands_no_more, new_buffers
 from hophoop.kernel.model import Status, inertia_at_height, kinetic_energy, potential_energy
-from hophoop.kernel.native import noinline
-from hophoop.kernel.numerics.arithmetic import PI
+from hophoop.kernel.native import noinline, replaced
+from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.numerics.exponentials import logarithm
 from hophoop.kernel.records import Cell, body_of, mode_of, new_scratch, scales_of, start_of, start_state
 from hophoop.kernel.steps import BY_RULE, GOING
@@ -40,15 +39,12 @@ SURE = 5.0  # standard errors by which the exponent of a chaotic motion is above
 
 def judge_cells(cells, request, codes, numbers):
     """Judge cells in SI units: codes of −1 in cells that are not allowed, nan for unknown numbers."""
-    buffers = new_buffers(ROWS)
-    bottom = Request(BOTTOM, request.most, request.t_end, request.panels, request.stops)
-    scratch = new_scratch()
+    buffers, scratch = new_buffers(ROWS), new_scratch()
+    bottom = replaced(request, section=BOTTOM)
+    numbers[:, :] = math.nan
     for k in range(cells.shape[1]):
-        for i in range(len(NUMBERS)):
-            numbers[k, i] = math.nan
         if cells[Cell.ALLOWED, k] == 0.0:
-            for i in range(codes.shape[1]):
-                codes[k, i] = OPEN
+            codes[k, :] = OPEN
             continue
         scales = scales_of(cells[:, k])
         body, start, mode = body_of(cells[:, k]), start_of(cells[:, k], scales.time), mode_of(cells[:, k])
@@ -57,17 +53,11 @@ def judge_cells(cells, request, codes, numbers):
         if lands_no_more(section, status, fate):
             section = BOTTOM
             status, passages, fate, period = follow_passages(body, start, mode, bottom, buffers, scratch)
-        codes[k, 1] = period
-        codes[k, 2] = hops_in(buffers.numbers, passages, period)
-        codes[k, 3] = passages
-        codes[k, 4] = status
-        codes[k, 5] = turns_in(buffers.numbers, passages, period) if fate == FateCode.GAIT else 0
+        codes[k, 1], codes[k, 3], codes[k, 4] = period, passages, status
         numbers[k, REVOLUTIONS] = abs(buffers.memory[TURNED])
-        write_numbers(buffers, fate, period, passages, scales, numbers, k)
+        write_numbers(buffers, fate, status, passages, scales, codes[k], numbers[k])
         if fate == FateCode.SLIPS_EVER_LESS:
             numbers[k, FINAL_LOSS] = loss_until_rolling(body, start, scratch) * scales.energy
-        if fate == FateCode.RESTS and status == Status.AT_REST:
-            numbers[k, FINAL_LOSS] = buffers.memory[LOST] * scales.energy
         row = buffers.numbers[(passages - 1) % ROWS]
         if fate == FateCode.UNDECIDED and status == GOING and section == BOTTOM and row[MODE] == ROLL and body.gt != 0.0:
             mean, error = follow_neighbours(body, row[OMEGA], bottom, buffers, scratch)
@@ -78,26 +68,28 @@ def judge_cells(cells, request, codes, numbers):
 
 
 @noinline
-def write_numbers(buffers, fate, period, passages, scales, numbers, k):
+def write_numbers(buffers, fate, status, passages, scales, codes, numbers):
     """Write the numbers of a decided motion."""
     rows, memory = buffers.numbers, buffers.memory
-    last = rows[(passages - 1) % ROWS]
-    if fate in (FateCode.RESTS, FateCode.ROCKS):
-        numbers[k, MEAN_SPEED] = 0.0
-    if fate in (FateCode.GAIT, FateCode.ROLLS_AHEAD, FateCode.ROLLS_BACK):
-        cycle = period if fate == FateCode.GAIT else 1
-        before = rows[(passages - 1 - cycle) % ROWS]
-        numbers[k, MEAN_SPEED] = (last[X] - before[X]) / (last[T] - before[T]) * scales.speed
-    if fate == FateCode.GAIT:
-        highest = 0.0
-        for i in range(period):
-            highest = max(highest, rows[(passages - 1 - i) % ROWS, HIGHEST])
-        numbers[k, FINAL_HOP_HEIGHT] = highest * scales.length
-        if last[MODE] == ROLL:
-            numbers[k, FINAL_OMEGA] = last[OMEGA] * scales.rate
+    rolls = fate == FateCode.ROLLS_AHEAD or fate == FateCode.ROLLS_BACK
+    if rolls or fate == FateCode.GAIT:
+        cycle = max(codes[1], 1)
+        last, before = rows[(passages - 1) % ROWS], rows[(passages - 1 - cycle) % ROWS]
+        numbers[MEAN_SPEED] = (last[X] - before[X]) / (last[T] - before[T]) * scales.speed
+        if not rolls:
+            codes[2] = int(last[HOPS] - before[HOPS])
+            codes[5] = math.floor(abs(angle_between(before, last)) / TWO_PI + 0.5)
+            highest = 0.0
+            for i in range(cycle):
+                highest = max(highest, rows[(passages - 1 - i) % ROWS, HIGHEST])
+            numbers[FINAL_HOP_HEIGHT] = highest * scales.length
+            if last[MODE] == ROLL:
+                numbers[FINAL_OMEGA] = last[OMEGA] * scales.rate
+    elif fate == FateCode.RESTS or fate == FateCode.ROCKS:
+        numbers[MEAN_SPEED] = 0.0
     swings = fate == FateCode.ROCKS and memory[ROLLING_TURNS] >= 2.0
-    if swings or fate in (FateCode.ROLLS_AHEAD, FateCode.ROLLS_BACK):
-        numbers[k, FINAL_LOSS] = memory[LOST] * scales.energy
+    if rolls or swings or (fate == FateCode.RESTS and status == Status.AT_REST):
+        numbers[FINAL_LOSS] = memory[LOST] * scales.energy
 
 
 @noinline
@@ -112,7 +104,7 @@ def loss_until_rolling(body, start, scratch):
 @noinline
 def follow_neighbours(body, om, request, buffers, scratch):
     """Return the mean growth of a small difference of θ̇ per passage in rolling, and its standard error; nan without one."""
-    one = Request(request.section, 1, request.t_end, request.panels, False)
+    one = replaced(request, most=1, stops=False)
     total, squares = 0.0, 0.0
     for _ in range(BATCHES):
         batch = 0.0

@@ -15,19 +15,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop.gaits.kernels.layout import (
-    HEIGHT,
-    HOPS,
-    LANDING,
-    LETTERS,
-    MODE,
-    OMEGA,
-    ROLL,
-    SLIP,
-    THETA,
-    TURNS,
-    VY,
-)
+from hophoop.gaits.kernels.layout import HOPS, LANDING, LETTERS, MODE, OMEGA, ROLL, SLIP, THETA, TURNS
 from hophoop.gaits.kernels.wells import stays_in_well
 from hophoop.kernel.model import (
     ImpactLaw,
@@ -118,24 +106,20 @@ def angle_between(one, other):
 def difference(numbers, one, other, section):
     """Return the largest difference of two passages, relative to the speed of rotation."""
     last, before = numbers[one], numbers[other]
-    worst = max(
-        abs(last[OMEGA] - before[OMEGA]),
-        abs(last[SLIP] - before[SLIP]),
-        abs(last[HEIGHT] - before[HEIGHT]),
-        abs(last[VY] - before[VY]),
-    )
+    worst = 0.0
+    for column in range(SLIP, OMEGA + 1):
+        worst = max(worst, abs(last[column] - before[column]))
     if section == LANDING:
-        turned = last[THETA] - before[THETA]
-        turned -= TWO_PI * math.floor(turned / TWO_PI + 0.5)
-        worst = max(worst, abs(turned))
+        turned = (last[THETA] - before[THETA]) / TWO_PI
+        worst = max(worst, TWO_PI * abs(turned - math.floor(turned + 0.5)))
     return worst / (1.0 + abs(last[OMEGA]))
 
 
 @noinline
 def same_word(numbers, words, one, other):
     """Return True if two passages have the same mode and sequence."""
-    same = numbers[one, MODE] == numbers[other, MODE] and numbers[one, LETTERS] == numbers[other, LETTERS]
-    return same and words[one, 0] == words[other, 0] and words[one, 1] == words[other, 1]
+    modes = numbers[one, MODE] == numbers[other, MODE]
+    return modes and words[one, 0] == words[other, 0] and words[one, 1] == words[other, 1]
 
 
 @noinline
@@ -143,17 +127,13 @@ def period_of(numbers, words, k, section):
     """Return the period of passage k, in passages, or 0: the same state and sequences came before, ever more exactly."""
     length = numbers.shape[0]
     row = k % length
-    for period in range(1, LONGEST_PERIOD + 1):
-        if 2 * period > k or 2 * period >= length:
-            return 0
+    for period in range(1, min(LONGEST_PERIOD, k // 2, (length - 1) // 2) + 1):
         before = (k - period) % length
         if not same_word(numbers, words, row, before):
             continue
         now = difference(numbers, row, before, section)
-        if now > SAME:
-            continue
         past = difference(numbers, before, (k - 2 * period) % length, section)
-        if past <= NEAR and is_near_limit(now, past):
+        if now <= SAME and past <= NEAR and is_near_limit(now, past):
             for part in range(1, period):
                 other = (k - part) % length
                 same = period % part == 0 and same_word(numbers, words, row, other)
@@ -191,31 +171,24 @@ def fate_at_passage(body, numbers, words, k, section, fastest):
     om = last[OMEGA]
     if abs(om) > fastest and om * body.gt > 0.0:
         return FateCode.RUNS_AWAY, 0
-    if k < 1:
+    if k < 1 or (section == LANDING and body.gt == 0.0):
         return OPEN, 0
-    way = 1.0 if om > 0.0 else -1.0
+    way = math.copysign(1.0, om)
     revolved = way * angle_between(before, last) > HALF
     rolled = section != LANDING and revolved and last[LETTERS] == 1.0 and last[MODE] == ROLL
-    if body.gt == 0.0 and section == LANDING:
-        return OPEN, 0
     if body.gt == 0.0:
         if rolled and body.resist == 0.0:
             return FateCode.ROLLS_AHEAD if om > 0.0 else FateCode.ROLLS_BACK, 0
         if rolled and body.gn > 0.0:
             return FateCode.RESTS, 0
-        if k >= 2 and revolved and body.resist == 0.0 and body.mu_k == body.mu_s and last[HOPS] + before[HOPS] == 0.0:
-            first = numbers[(k - 2) % length]
-            fell, falls = way * (first[OMEGA] - before[OMEGA]), way * (before[OMEGA] - om)
-            if (
-                last[MODE] == ROLL
-                and before[MODE] == ROLL
-                and first[MODE] == ROLL
-                and 0.0 < falls < fell
-                and rolls_slowly(body)
-            ):
-                return FateCode.SLIPS_EVER_LESS, 0
+        first = numbers[(k - 2) % length]
+        steady = k >= 2 and revolved and first[HOPS] == last[HOPS] and body.resist == 0.0 and body.mu_k == body.mu_s
+        rolls = last[MODE] == ROLL and before[MODE] == ROLL and first[MODE] == ROLL
+        fell, falls = way * (first[OMEGA] - before[OMEGA]), way * (before[OMEGA] - om)
+        if steady and rolls and 0.0 < falls < fell and rolls_slowly(body):
+            return FateCode.SLIPS_EVER_LESS, 0
         return OPEN, 0
-    if body.eps == 0.0 and rolled and way * (om - before[OMEGA]) > 0.0:
+    if rolled and body.eps == 0.0 and way * (om - before[OMEGA]) > 0.0:
         return FateCode.RUNS_AWAY, 0
     if rolled and body.resist == 0.0:  # it gains what the slope gives, however little
         return OPEN, 0

@@ -6,17 +6,19 @@ from typing import Any, NamedTuple
 
 from hophoop.kernel.model import Mode
 
-# One row per passage, in kernel units; times, positions and losses count from the start.
+# One row per passage, in kernel units: the state, whose times, positions and losses count from the start, as do the hops, and
+# what is known of the motion since the last passage.
 COLUMNS = (
-    "t", "t_low", "x", "x_low", "height", "turns", "theta_low", "theta", "omega", "slip", "vy",
+    "t", "t_low", "x", "x_low", "height", "turns", "theta", "theta_low", "slip", "vy", "omega",
     "friction", "impact_normal", "impact_tangential", "rolling_resistance", "hops", "letters", "doubt", "highest",
-    "mode", "branches",
+    "mode", "branches", "ahead",
 )  # fmt: skip
 (
-    T, T_LOW, X, X_LOW, HEIGHT, TURNS, THETA_LOW, THETA, OMEGA, SLIP, VY,
-    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, HOPS, LETTERS, DOUBT, HIGHEST, MODE, BRANCHES,
+    T, T_LOW, X, X_LOW, HEIGHT, TURNS, THETA, THETA_LOW, SLIP, VY, OMEGA,
+    FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, ROLLING_RESISTANCE, HOPS, LETTERS, DOUBT, HIGHEST, MODE, BRANCHES, AHEAD,
 ) = range(len(COLUMNS))  # fmt: skip
-STATE, PIECE = slice(THETA, VY + 1), slice(MODE, BRANCHES + 1)  # the coordinates; what is the same on a piece of the map
+COORDINATES = [THETA, OMEGA, SLIP, VY]
+PIECE = slice(MODE, AHEAD + 1)  # what is the same on a piece of the map: the mode, the branches of impacts, whether θ̇ > 0
 
 INTEGERS = 2  # of a word: the phases since the last passage, packed as records.layout says
 

@@ -7,12 +7,10 @@ import math
 import numpy as np
 
 from hophoop.gaits.kernels.fates import (
-    CONTACT_TURNS,
     LONGEST_PERIOD,
     MEMORY,
     OPEN,
     ROLLING_TURNS,
-    angle_between,
     fastest_of,
     fate_at_passage,
     fate_at_start,
@@ -20,47 +18,32 @@ from hophoop.gaits.kernels.fates import (
     is_below_top,
 )
 from hophoop.gaits.kernels.layout import (
+    AHEAD,
     BRANCHES,
     COLUMNS,
     DOUBT,
     FEW_EVENTS,
-    FRICTION,
-    HEIGHT,
     HIGHEST,
     HOPS,
-    IMPACT_NORMAL,
-    IMPACT_TANGENTIAL,
     INTEGERS,
     LANDING,
     LETTERS,
     MODE,
-    OMEGA,
-    ROLLING_RESISTANCE,
-    SLIP,
-    T_LOW,
-    THETA,
-    THETA_LOW,
-    TURNS,
-    VY,
-    X_LOW,
     Buffers,
-    T,
-    X,
 )
 from hophoop.kernel.model import PASSING, Event, ImpactLaw, Mode, Status, contact_arms, slip_rates
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.records import EVENT, EVENTS, PANEL_LIMIT, PANELS, SEGMENT, add_letter, count_panel, has_room, new_log
-from hophoop.kernel.steps import GOING, ROUNDING, Ending, Limits, angle_left, begin, can_follow, continue_phase, step
+from hophoop.kernel.steps import GOING, ROUNDING, Ending, Limits, begin, can_follow, continue_phase, step
 from hophoop.vocabulary.names import FateCode
 
 ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is seen
 
-# What is remembered since the last passage: the present phase's letter and start, letters, hops, the highest gap and the
-# branches of the impacts; and of the motion's end, the energy lost and the revolutions.
-LETTER, SINCE, COUNT, JUMPS, GAP, TAKEN, LOST, TURNED = range(MEMORY, MEMORY + 8)
-SIZE = MEMORY + 8
+# What is remembered of a motion: the present phase's letter and start, and hops; at its end the energy lost and revolutions.
+LETTER, SINCE, JUMPS, LOST, TURNED = range(MEMORY, MEMORY + 5)
+SIZE = MEMORY + 5
 KEPT = 2.0**40  # branches are kept modulo this
 FAINT = 1e-3  # m √(gR): impacts with less impulse, as at the end of a sequence of bounces, have no branch
 
@@ -74,28 +57,23 @@ def new_buffers(rows):
 
 
 @inline
-def limits_in_cell(t_end, cell, bounded):
-    """Return limits half a revolution to either side of a load at the top, if the rim is bounded to them."""
-    return Limits(t_end, 0, 0, PI if bounded else math.nan, 0.0, PI if bounded else 0.0, 0.0, cell, 0.0, 0.0, False)
-
-
-@noinline
 def cell_of(state):
     """Return the revolution, from bottom to bottom, that the hoop is in or about to enter."""
-    cell = state.revolutions + math.floor((state.th + PI) / TWO_PI)
-    limits = limits_in_cell(0.0, cell, True)
-    rounding = ROUNDING * (1.0 + abs(state.revolutions))
-    if state.om > 0.0 and angle_left(limits, state, 1.0) <= rounding:
-        return cell + 1.0
-    if state.om < 0.0 and angle_left(limits, state, -1.0) <= rounding:
-        return cell - 1.0
-    return cell
+    ahead = math.copysign(ROUNDING * (1.0 + abs(state.revolutions)), state.om)
+    return state.revolutions + math.floor((state.th + PI + ahead) / TWO_PI)
 
 
 @noinline
-def end_phase(words, row, memory):
-    """Append the letter of the present phase to the word of a passage."""
-    memory[COUNT] = add_letter(words, row, int(memory[COUNT]), int(memory[LETTER]))
+def begin_row(numbers, words, row):
+    """Empty the row and the word of the next passage."""
+    numbers[row, :] = 0.0
+    words[row, :] = 0
+
+
+@noinline
+def end_phase(numbers, words, row, memory):
+    """Append the letter of the present phase to the word of the next passage."""
+    numbers[row, LETTERS] = add_letter(words, row, int(numbers[row, LETTERS]), int(memory[LETTER]))
 
 
 @noinline
@@ -118,28 +96,26 @@ def branch_of(body, event):
 
 
 @noinline
-def note_events(body, log, words, row, memory):
-    """Read the events of a step into word and hops of the passage to come; return the fate that they decide, or OPEN."""
-    fate = OPEN
+def note_events(body, log, numbers, words, row, memory, fate):
+    """Read the events of a step into the row and the word of the next passage; return the fate that they decide, or OPEN."""
+    out = numbers[row]
     for i in range(log.counts[EVENTS]):
         event = log.events[i]
         kind = event["kind"]
-        if kind == Event.TURN and event["after_mode"] != Mode.FLIGHT:
-            found = fate_at_turn(body, event, memory)
-            if fate == OPEN:
-                fate = found
+        if kind == Event.TURN and event["after_mode"] != Mode.FLIGHT and fate == OPEN:
+            fate = fate_at_turn(body, event, memory)
         if kind == Event.APEX:
-            memory[GAP] = max(memory[GAP], event["height"])
+            out[HIGHEST] = max(out[HIGHEST], event["height"])
         if kind in PASSING:
             continue
         if event["impulse_normal"] > FAINT and (kind == Event.IMPACT or kind == Event.BOUNCE_LIMIT):
-            taken = 5.0 * memory[TAKEN] + branch_of(body, event)
-            memory[TAKEN] = taken - KEPT * math.floor(taken / KEPT)
+            taken = 5.0 * out[BRANCHES] + branch_of(body, event)
+            out[BRANCHES] = taken - KEPT * math.floor(taken / KEPT)
         memory[ROLLING_TURNS] = 0.0
         if event["after_mode"] == Mode.FLIGHT and event["height"] == 0.0 and not event["vy"] < 0.0:
             memory[JUMPS] += 1.0
         if event["t"] > memory[SINCE]:
-            end_phase(words, row, memory)
+            end_phase(numbers, words, row, memory)
         memory[LETTER] = event["after_mode"]
         memory[SINCE] = event["t"]
     log.counts[EVENTS] = 0
@@ -148,32 +124,14 @@ def note_events(body, log, words, row, memory):
 
 @noinline
 def write_passage(phase, numbers, words, row, memory, doubt):
-    """Write a row, and start the word of the next passage."""
-    state = phase.state
+    """Write the state into a row, and end its word."""
+    state, out = phase.state, numbers[row]
     if state.t > memory[SINCE]:
-        end_phase(words, row, memory)
-    out = numbers[row]
-    out[T], out[T_LOW] = state.t, state.t_low
-    out[X], out[X_LOW] = state.x, state.x_low
-    out[HEIGHT] = state.y
-    out[TURNS], out[THETA], out[THETA_LOW] = state.revolutions, state.th, state.th_low
-    out[SLIP], out[VY], out[OMEGA] = state.vt, state.vn, state.om
-    out[FRICTION] = state.friction
-    out[IMPACT_NORMAL], out[IMPACT_TANGENTIAL] = state.impact_n, state.impact_t
-    out[ROLLING_RESISTANCE] = state.rolling_loss
-    out[MODE] = phase.mode
-    out[HOPS] = memory[JUMPS]
-    out[LETTERS] = memory[COUNT]
-    out[DOUBT] = doubt
-    out[HIGHEST] = memory[GAP]
-    out[BRANCHES] = memory[TAKEN]
-    memory[COUNT], memory[JUMPS], memory[GAP], memory[TAKEN], memory[SINCE] = 0.0, 0.0, 0.0, 0.0, state.t
-
-
-def clear_word(words, row):
-    """Empty a row of words."""
-    for i in range(INTEGERS):
-        words[row, i] = 0
+        end_phase(numbers, words, row, memory)
+    for column, value in enumerate(state):
+        out[column] = value
+    out[MODE], out[AHEAD], out[HOPS], out[DOUBT] = phase.mode, state.om > 0.0, memory[JUMPS], doubt
+    memory[SINCE] = state.t
 
 
 @inline
@@ -217,63 +175,44 @@ def follow_passages(body, start, mode, request, buffers, scratch):
     phase = begin(body, start, mode, log)
     log.counts[EVENTS] = 0
     fastest = fastest_of(body, phase.state)
-    memory[ROLLING_TURNS], memory[CONTACT_TURNS] = 0.0, 0.0
-    memory[COUNT], memory[JUMPS], memory[GAP], memory[TAKEN] = 0.0, 0.0, 0.0, 0.0
+    memory[:] = 0.0
     memory[SINCE], memory[LETTER] = phase.state.t, phase.mode
-    fate, period = fate_at_start(body, phase.state), 0
-    cell, passages, row = cell_of(phase.state), 0, 0
-    clear_word(words, 0)
+    fate, period, passages, row = fate_at_start(body, phase.state), 0, 0, 0
+    cell = cell_of(phase.state)
+    begin_row(numbers, words, row)
     while phase.status == GOING and has_room(log) and passages < request.most and not (request.stops and fate != OPEN):
         before = phase.mode
+        flies = before == Mode.FLIGHT or before == Mode.SKIM
         count_panel(log)
-        in_contact = before != Mode.FLIGHT and before != Mode.SKIM
-        limits = limits_in_cell(request.t_end, cell, request.section != LANDING and in_contact)
+        span = math.nan if flies or request.section == LANDING else PI  # half a revolution to either side of the top
+        limits = Limits(request.t_end, 0, 0, span, 0.0, span, 0.0, cell, 0.0, 0.0, False)
         after = step(body, phase, limits, log, scratch)
         if not can_follow(phase.state, after.state, request.t_end):
             break
         phase = after
-        found = note_events(body, log, words, row, memory)
-        if fate == OPEN and found == OPEN and is_below_top(body, phase.state):
-            found = FateCode.ROCKS if body.resist == 0.0 else FateCode.RESTS
-        if fate == OPEN:
-            fate = found
+        fate = note_events(body, log, numbers, words, row, memory, fate)
+        if fate == OPEN and is_below_top(body, phase.state):
+            fate = FateCode.ROCKS if body.resist == 0.0 else FateCode.RESTS
         if not ends_at_section(before, phase, request.section):
-            if before in (Mode.FLIGHT, Mode.SKIM):
-                cell = cell_of(phase.state)
+            cell = cell_of(phase.state) if flies else cell
             continue
         write_passage(phase, numbers, words, row, memory, log.doubt[0])
         if request.section != LANDING:
-            cell += 1.0 if phase.state.om > 0.0 else -1.0
+            cell = cell_of(phase.state)
             phase = continue_phase(phase, phase.state, phase.level, Ending.CONTINUES, phase.anchor)
         if fate == OPEN:
             fate, period = fate_at_passage(body, numbers, words, passages, request.section, fastest)
         passages += 1
         if passages < request.most:
             row = passages % numbers.shape[0]
-            clear_word(words, row)
+            begin_row(numbers, words, row)
         log.counts[PANELS] = 0
-    status = phase.status
+    status, state = phase.status, phase.state
     if status == GOING and not (passages >= request.most or (request.stops and fate != OPEN)):
         status = Status.EVENT_LIMIT
-    if fate == OPEN:
-        fate = fate_without_passages(body, phase, abs(phase.state.revolutions - start.revolutions))
-    scratch.counts[PANEL_LIMIT] = limit
-    state = phase.state
-    memory[LOST] = state.friction + state.impact_n + state.impact_t + state.rolling_loss
     memory[TURNED] = (state.revolutions - start.revolutions) + (state.th - start.th) / TWO_PI
+    if fate == OPEN:
+        fate = fate_without_passages(body, phase, abs(state.revolutions - start.revolutions))
+    scratch.counts[PANEL_LIMIT] = limit
+    memory[LOST] = state.friction + state.impact_n + state.impact_t + state.rolling_loss
     return status, passages, fate, period
-
-
-def hops_in(numbers, passages, period):
-    """Return the hops in the last passages of a gait."""
-    hops = 0.0
-    for k in range(period):
-        hops += numbers[(passages - 1 - k) % numbers.shape[0], HOPS]
-    return int(hops)
-
-
-def turns_in(numbers, passages, period):
-    """Return the whole revolutions in the last passages of a gait, in either direction."""
-    length = numbers.shape[0]
-    turned = angle_between(numbers[(passages - 1 - period) % length], numbers[(passages - 1) % length])
-    return math.floor(abs(turned) / TWO_PI + 0.5)
