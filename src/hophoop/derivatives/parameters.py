@@ -10,9 +10,11 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.directions import direction
+from hophoop.derivatives.layout import STATE_ROWS
+from hophoop.derivatives.units import DIRECT
+from hophoop.kernel.numerics.circular import sine_and_cosine
 from hophoop.kernel.records import CELL
-from hophoop.scenario import InputError, Scenario, cell_of
+from hophoop.scenario import InputError, Scenario, cell_of, time_unit
 from hophoop.scenario.paths import parameter
 from hophoop.vocabulary.parameters import PARAMETERS, RANGES, TABLE, Range
 
@@ -99,7 +101,7 @@ def _of_speed(scenario: Scenario) -> Change:
     return {"omega": 1.0 / scenario.hoop.radius}
 
 
-def _of_friction(scenario: Scenario, path: str) -> Change:
+def _of_friction(path: str, scenario: Scenario) -> Change:
     both = path == "plane.mu"
     if both and scenario.plane.mu is None:
         raise InputError("plane.mu is not what this plane is given by; take plane.mu_static and plane.mu_kinetic.")
@@ -120,9 +122,9 @@ _SPECIAL: Mapping[str, Callable[[Scenario], Change]] = {
     "hoop.radius": _of_radius,
     "hoop.mass": _of_mass,
     "hoop.load_fraction": _of_load,
-    "plane.mu": partial(_of_friction, path="plane.mu"),
-    "plane.mu_static": partial(_of_friction, path="plane.mu_static"),
-    "plane.mu_kinetic": partial(_of_friction, path="plane.mu_kinetic"),
+    "plane.mu": partial(_of_friction, "plane.mu"),
+    "plane.mu_static": partial(_of_friction, "plane.mu_static"),
+    "plane.mu_kinetic": partial(_of_friction, "plane.mu_kinetic"),
     "plane.rolling_resistance": _of_resistance,
     "start.speed": _of_speed,
     "start.vx": lambda _: {"slip": 1.0},
@@ -232,7 +234,26 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
     ValueError
         As `change_of`.
     """
-    cell = cell_of(scenario)
+    given = dict(zip(CELL, cell_of(scenario), strict=True))
     changes = [change_of(scenario, path) for path in paths]
-    found = [direction(cell, tuple(change.get(name, 0.0) for name in CELL)) for change in changes]
-    return Directions(*(np.array([each[part] for each in found]).T.copy() for part in range(3)))
+    by = {name: np.array([change.get(name, 0.0) for change in changes]) for name in CELL}
+    length, second = scenario.hoop.radius, time_unit(scenario.hoop, scenario.plane)
+    sine, cosine = sine_and_cosine(scenario.plane.slope)
+    by_length = by["radius"] / length
+    by_time = 0.5 * by_length
+    if scenario.plane.gravity > 0.0:
+        by_time -= 0.5 * by["gravity"] / scenario.plane.gravity
+        normal, tangential = -sine * by["slope"], cosine * by["slope"]
+    else:
+        normal, tangential = cosine * by["gravity"], sine * by["gravity"]
+    by_duration = (by["duration"] - given["duration"] * by_time) / second
+    parameter_tangents = [
+        by["eccentricity"], by["inertia_ratio"], by["mu_static"], by["mu_kinetic"], normal, tangential,
+        by["restitution"], by_duration, by["rolling_resistance"],
+    ]  # fmt: skip
+    start = np.zeros((STATE_ROWS, len(paths)))
+    for name in ("x", "height", "angle", "omega", "slip", "vy"):
+        _, row, (lengths, times, _) = DIRECT[name]
+        by_unit = lengths * by_length + times * by_time
+        start[row] = (by[name] - given[name] * by_unit) * second**-times / length**lengths
+    return Directions(np.array(parameter_tangents), start, np.array([by_length, by_time, by["mass"] / scenario.hoop.mass]))

@@ -131,10 +131,9 @@ def collide_changes(body, rest, row, before, parameter_tangents, tangents, event
 @noinline
 def keep_before(tangents, event_tangents):
     """The velocities just before an event, and no impulse."""
+    event_tangents[BEFORE_OM:P_N] = tangents[OM : VN + 1]
     for k in range(tangents.shape[1]):
-        for i in range(BEFORE_OM, P_N):
-            event_tangents[i, k] = tangents[OM + i - BEFORE_OM, k]
-        event_tangents[P_N, k] = event_tangents[P_T, k] = 0.0 * tangents[OM, k]  # nan where there is no derivative
+        event_tangents[P_N:, k] = 0.0 * tangents[OM, k]  # nan where there is no derivative
 
 
 class Past(NamedTuple):
@@ -209,8 +208,7 @@ def keep_after(row, tangents, event_tangents):
     """Record the tangents just after an event; at the start those that were given."""
     for k in range(tangents.shape[1]):
         if row["kind"] != Event.START or math.isnan(tangents[TH, k]):
-            for i in range(STATE_ROWS):
-                event_tangents[i, k] = tangents[i, k]
+            event_tangents[:STATE_ROWS, k] = tangents[:, k]
 
 
 @noinline

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import NDArray
 
 from hophoop.derivatives.layout import (
     BEFORE_OM,
@@ -23,6 +22,7 @@ from hophoop.derivatives.layout import (
     X,
     Y,
 )
+from hophoop.kernel.model import Scales
 
 # Exponents of the units of length, time and mass.
 LENGTH, TIME, ANGLE, SPEED, TURNING = (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, -1, 0), (0, -1, 0)
@@ -46,18 +46,10 @@ DIRECT = {
     "rolling_resistance": ("rolling_resistance", ROLLING_LOSS, ENERGY),
 }
 UNITS = (LENGTH, TIME, ANGLE, SPEED, TURNING, MOMENTUM, ENERGY)
-EXPONENTS = np.array(UNITS)
 UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
 
 
-def sizes_and_rates(scales: Any, units: Any) -> tuple[Any, Any]:
+def sizes_and_rates(scales: Scales, units: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Sizes of UNITS, and their logarithmic rates in each direction, from those of length, time and mass."""
-    sizes = np.array([
-        scales.length, scales.time, 1.0, scales.speed, scales.rate, scales.impulse, scales.energy,
-    ])  # fmt: skip
-    by_units = np.empty((len(UNITS), units.shape[1]))
-    for i in range(len(UNITS)):
-        powers = EXPONENTS[i]
-        for k in range(units.shape[1]):
-            by_units[i, k] = powers[0] * units[0, k] + powers[1] * units[1, k] + powers[2] * units[2, k]
-    return sizes, by_units
+    sizes = [scales.length, scales.time, 1.0, scales.speed, scales.rate, scales.impulse, scales.energy]
+    return np.array(sizes), (np.array(UNITS)[..., None] * units).sum(axis=1)

@@ -70,7 +70,7 @@ ENTRIES: dict[str, tuple[Any, ...]] = {
     "hophoop.kernel.records.refusals.mark_refused": (TABLE,),
     "hophoop.kernel.compliant.event_loop.run": (Body, Compliance, ROW, bool, float, float, int, EVENTS, TABLE, ROW),
     "hophoop.kernel.compliant.event_loop.sample": (Body, Compliance, TABLE, ROW, bool, TABLE),
-    "hophoop.derivatives.events.ending.propagate_motion": (
+    "hophoop.derivatives.tangents.propagate_tangents": (
         Body, Named("hophoop.derivatives.workspace.KnownMotion", (EVENTS, SEGMENTS, float, float)), TABLE, TABLE,
         Named("hophoop.derivatives.workspace.Solution", (CUBE, CUBE, COUNTS, COUNTS)), WORKSPACE,
     ),

@@ -117,9 +117,6 @@ def use_changes(body, th, om, rho, tangents, parameter_tangents, larger, smaller
         else:
             change = d_required_ratio(body, s, c, u, rho, d_body, ds, dc, du, drho)[1]
         less = abs(ratio) * d_body.mu_s / (body.mu_s * body.mu_s)
-        if ratio == 0.0:
-            larger[k] = abs(change) / body.mu_s - less
-            smaller[k] = -abs(change) / body.mu_s - less
-        else:
-            larger[k] = math.copysign(1.0, ratio) * change / body.mu_s - less
-            smaller[k] = larger[k]
+        way = math.copysign(1.0, ratio if ratio != 0.0 else change)
+        larger[k] = way * change / body.mu_s - less
+        smaller[k] = larger[k] if ratio != 0.0 else -larger[k]

@@ -48,9 +48,5 @@ def sample_tangents(body, pieces, clock, times, left, samples, workspace):
         for k in range(tangents.shape[1]):
             step_along(tangents, k, clock[k] * times[i] - tangents[T, k], end, rates)
         samples.tangents[i] = tangents
-        states[i, 0] = end.x
-        states[i, 1] = end.y
-        states[i, 2] = end.th + end.th_low
-        states[i, 3] = end.om
-        states[i, 4] = end.vt
-        states[i, 5] = end.vn
+        for column, value in enumerate((end.x, end.y, end.th + end.th_low, end.om, end.vt, end.vn)):
+            states[i, column] = value

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -247,9 +248,7 @@ class TangentSolution:
     @cached_property
     def _units(self) -> tuple[Floats, Floats]:
         """Sizes of UNITS and their logarithmic rates."""
-        unit = self.motion.units
-        found: tuple[Floats, Floats] = sizes_and_rates(unit.scales, self.directions.units)
-        return found
+        return sizes_and_rates(self.motion.units.scales, self.directions.units)
 
 
 def _state_of(row: np.void) -> Floats:
@@ -293,8 +292,19 @@ def propagated(body: Body, known: KnownMotion, parameter_tangents: Floats, tange
     directions = tangents.shape[1]
     found = new_solution(len(known.events), len(known.segments), directions)
     workspace = new_workspace(thread_scratch(), directions)
-    compiled(KERNELS + "events.ending.propagate_motion")(body, known, parameter_tangents, tangents, found, workspace)
+    compiled(KERNELS + "tangents.propagate_tangents")(body, known, parameter_tangents, tangents, found, workspace)
+    if known.doubt < math.inf:
+        end_in_doubt(known, found)
     return found
+
+
+def end_in_doubt(known: KnownMotion, found: Solution) -> None:
+    """Set to nan what is after a time from which doubles do not decide what follows."""
+    first = int(np.searchsorted(known.events["t"], known.doubt, "right"))
+    found.at_events[first:] = math.nan
+    found.at_segments[np.searchsorted(known.segments["t"], known.doubt) :] = math.nan
+    later = (found.failed < 0) | (found.failed > first)
+    found.failed[later], found.reasons[later] = first, BORDER
 
 
 def transitions(motion: Motion, parameter_tangents: Floats) -> Iterator[tuple[int, int, Floats]]:

@@ -6,12 +6,13 @@ import math
 import re
 from collections.abc import Callable
 from functools import lru_cache
+from itertools import pairwise
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
 from hophoop.derivatives.results.propagation import FIELDS, TangentSolution, WithDerivatives, unit_of
-from hophoop.kernel.model import EVENT_NAMES, PASSING, Event, Mode
+from hophoop.kernel.model import EVENT_NAMES, Event, Mode
 from hophoop.kernel.numerics.elementwise import cosine, sine
 from hophoop.results.records import Motion
 from hophoop.scenario import InputError
@@ -164,20 +165,13 @@ _hops: WeakKeyDictionary[Motion, list[tuple[int, int, int]]] = WeakKeyDictionary
 
 
 def _find_hops(events: np.ndarray) -> list[tuple[int, int, int]]:
-    kinds, heights, times = (events[name].tolist() for name in ("kind", "height", "t"))
-    before, after = (events[name].tolist() for name in ("before_mode", "after_mode"))
-    hops: list[tuple[int, int, int]] = []
-    begin = top = -1
-    for index, kind in enumerate(kinds):
-        if begin >= 0 and kind == Event.APEX and (top < 0 or heights[index] > heights[top]):
-            top = index
-        if kind in PASSING:
-            continue
-        if begin >= 0 and before[index] == Mode.FLIGHT and times[index] > times[begin]:
-            hops.append((begin, top, index if kind != Event.END else -1))
-            begin = top = -1
-        if after[index] == Mode.FLIGHT and kind != Event.END:
-            begin, top = index, -1
+    kinds, heights, times, after = (events[name].tolist() for name in ("kind", "height", "t", "after_mode"))
+    hops = []
+    for begin, end in pairwise(phase_starts(kinds)):
+        if after[begin] == Mode.FLIGHT and times[end] > times[begin]:
+            apexes = (k for k in range(begin, end) if kinds[k] == Event.APEX)
+            top = max(apexes, key=lambda k: heights[k], default=-1)
+            hops.append((begin, top, end if kinds[end] != Event.END else -1))
     return hops
 
 

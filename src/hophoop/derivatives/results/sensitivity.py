@@ -212,19 +212,16 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
         smaller = propagate(motion, [paths[k] for k in sides], -1.0)
         downward[:, sides] = np.array([_downward(read(smaller)) for read in reads])
     at = [value_of(motion.scenario, path) for path in paths]
-    sided = [allowed_sides(motion.scenario, path, value) for path, value in zip(paths, at, strict=True)]
-    for k, (down, up) in enumerate(sided):
-        if not down:
-            downward[:, k] = np.nan
-        if not up:
-            upward[:, k] = np.nan
+    sided = np.array([allowed_sides(motion.scenario, path, value) for path, value in zip(paths, at, strict=True)])
+    downward[:, ~sided[:, 0]] = np.nan
+    upward[:, ~sided[:, 1]] = np.nan
     same = agree(upward, downward)
     derivatives = np.where(same, upward, np.nan)
     neither = (np.isnan(upward) & np.isnan(downward)).tolist()
     reasons = [[""] * len(paths) for _ in quantities]
     for k in np.flatnonzero(~same.all(axis=0)).tolist():
         own = _reason(larger, k)
-        at_edge, fixed = not all(sided[k]), not any(sided[k])
+        at_edge, fixed = not sided[k].all(), not sided[k].any()
         for i in np.flatnonzero(~same[:, k]).tolist():
             reasons[i][k] = EDGE if fixed or (at_edge and not neither[i][k]) else own
     return Sensitivity(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -43,8 +43,8 @@ class Deviations:
     rolling_resistance: Floats
 
     def __repr__(self) -> str:
-        names = [one.name for one in fields(self) if one.name != "t" and np.any(getattr(self, one.name))]
-        rows = [(name, f"{np.max(getattr(self, name)):.3g} {QUANTITIES[name].unit}") for name in names]
+        found = {name: np.max(values, initial=0.0) for name, values in vars(self).items() if name != "t"}
+        rows = [(name, f"{most:.3g} {QUANTITIES[name].unit}") for name, most in found.items() if most]
         return tables.report(f"Standard deviations at {np.size(self.t)} times, at most", rows, left=(0, 1))
 
 
