@@ -4,7 +4,6 @@ import ctypes
 import struct
 import threading
 from concurrent.futures import ThreadPoolExecutor
-from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -16,11 +15,6 @@ REALS, TABLE = {"array": ["<f8", 1]}, {"array": ["<f8", 2]}
 EVENTS = {"array": [EVENT.descr, 1]}
 
 
-class Pair(NamedTuple):
-    first: float
-    second: int
-
-
 def function(action):
     """A function of the library's kind, which Python carries out with the words of eight bytes that it is given."""
     kind = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 3)
@@ -29,20 +23,6 @@ def function(action):
 
 def words(memory, codes, begin=0):
     return struct.unpack_from("=" + codes, bytes(memory), 8 * begin)
-
-
-def test_numbers_come_in_order_and_results_behind_them():
-    seen = []
-
-    def action(memory):
-        seen.append(words(memory, "dqqd"))
-        memory[32:64] = struct.pack("=ddqq", 2.5, -1.0, 7, 1)
-
-    gives = {"class": None, "items": ["float", {"class": f"{__name__}.Pair", "items": ["float", "int"]}, "bool"]}
-    call = caller(function(action), ["float", "int", "bool", {"items": ["float"]}], gives)
-    assert call(1.5, -3, np.bool_(True), (0.25,)) == (2.5, Pair(-1.0, 7), True)
-    assert call(1.5, 2**62, False, (np.float64(0.25),))[0] == 2.5
-    assert seen == [(1.5, -3, 1, 0.25), (1.5, 2**62, 0, 0.25)]
 
 
 def test_an_array_is_its_address_and_its_shape():
