@@ -1,4 +1,4 @@
-"""The next panel: how wide it is, and in how few tries."""
+"""The next panel: how wide it is, in how few tries, and where a turning point is near."""
 
 import math
 
@@ -32,6 +32,32 @@ def chosen(body, sigma, state, level=2):
         body, sigma, anchor_of(body, sigma, state), state, *sines_of(state), level, scratch
     )
     return panel, totals, after, scratch.counts[PANELS]
+
+
+def start_before(th, ahead):
+    """The state at θ of rolling that turns after the angle `ahead`, by D θ̇² + 2 ε cos θ."""
+    u = (math.cos(th + ahead) - math.cos(th)) / (2.0 + math.cos(th))
+    return state_of(th, math.copysign(math.sqrt(u), ahead))
+
+
+@SIDES
+@pytest.mark.parametrize("resist", [0.0, 1e-12])
+def test_a_turning_point_of_rolling_is_found(side, resist):
+    """By a panel that reaches beyond it, or by wider ones: at most 8 times as wide as the first."""
+    body = body_of(0.5, 0.75, rolling_resistance=resist)
+    for off, ahead, level, found in (
+        (0.25, 0.3, 0, 0.3),
+        (0.25, 0.3, 9, 0.3),
+        (0.25, 0.3, 10, 0.0),
+        (0.25, 0.75, 3, 0.75),
+        (0.25, 0.05, 14, 0.05),
+        (math.pi - 0.6, 0.4, 0, 0.4),  # shortly before the top, which most of the angles asked are beyond
+        (0.0, 3.0, 2, 0.0),
+    ):
+        scratch, state = new_scratch(), start_before(math.pi + side * off, side * ahead)
+        panel = linear_panel(begin_of(body, 0, state), level)
+        totals = panel_choice.solve(body, panel, scratch.work)
+        assert panel_choice.turning_point_ahead(body, panel, totals, scratch) == pytest.approx(found, rel=1e-10), (ahead, level)
 
 
 @pytest.mark.parametrize(
