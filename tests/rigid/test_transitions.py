@@ -12,7 +12,7 @@ from hophoop.kernel.physics.body import Event
 from hophoop.kernel.physics.contact import slip_coefficients
 from hophoop.kernel.physics.modes import UNDECIDED
 from hophoop.kernel.records.writing import event_without_jump
-from hophoop.kernel.rigid.transitions import collide, leave_cone, resolve_mode, resolve_painleve_singularity
+from hophoop.kernel.rigid.transitions import collide, end_bounces, leave_cone, resolve_mode, resolve_painleve_singularity
 from newton_euler import energy
 from rigid.tools import FLIGHT, ROLL, SKID, SPIN, body_of, moves, state_of, written
 from symmetries import mirrored
@@ -90,6 +90,22 @@ def test_a_gain_is_energy_and_rounding_is_none():
         after, cause = collide(gaining, 0.9, state, Event.IMPACT, FLIGHT, 1)
         assert cause.gain == pytest.approx(kinetic(gaining, after) - kinetic(gaining, state), rel=1e-13)
         assert cause.gain > 0.05 * size**2
+
+
+@SIDES
+def test_the_end_of_bounces_without_slip_rolls(side):
+    """However the stop along the plane throws the rim up: the impulses, at the contact point, turn the hoop."""
+    body = body_of(mu=math.inf, restitution=0.5)
+    state = state_of(side * 1.0, 0.3, side * 0.5, vn=-1e-3)
+    assert collide(body, 0.0, state, Event.IMPACT, FLIGHT, 1)[0].vn > 0.1  # thrown up
+    after, cause = end_bounces(body, state)
+    arm, lever = 1.0 + body.eps * math.cos(state.th), body.eps * math.sin(state.th)
+    turned = after.om - state.om
+    along, up = arm * turned - state.vt, -lever * turned - state.vn  # changes of the velocity of G
+    assert (after.vt, after.vn, cause.p_t, cause.p_n) == pytest.approx((0.0, 0.0, along, up), rel=1e-13)
+    lost = kinetic(body, state) - kinetic(body, after)
+    assert (body.kap * turned, after.impact_n + after.impact_t) == pytest.approx((lever * up - arm * along, lost), rel=1e-13)
+    assert (cause.kind, cause.gain, cause.collision) == (Event.BOUNCE_LIMIT, 0.0, 1)
 
 
 def resolved(body, state, kind, before):
