@@ -5,6 +5,7 @@ import functools
 import json
 import math
 import random
+import re
 import shutil
 import subprocess
 import tempfile
@@ -75,7 +76,8 @@ def of_python(body):
 
 
 def field_of(sentence):
-    return sentence.split(" ")[0].rstrip(":")
+    """The field that a sentence names; JavaScript puts keys that are numbers in order, so these are left out."""
+    return re.sub(r"\.\d+$", "", sentence.split(" ")[0].rstrip(":"))
 
 
 def keys_of(query):
