@@ -131,7 +131,6 @@ def radau():
     return {
         "RADAU_NODES": nearest(nodes),
         "RADAU_A": nearest(a.tolist()),
-        "RADAU_A_INVERSE": nearest(inverse.tolist()),
         "RADAU_GAMMA": nearest(gamma),
         "RADAU_LAMBDA": nearest([mp.mpc(values[k]) for k in upper]),
         "RADAU_TO_REAL": nearest([mp.re(back[real, j] * last) for j in stages]),

@@ -36,7 +36,13 @@ from hophoop.kernel.panels.panel import (
     no_panel,
     sine_versine_of_offset,
 )
-from hophoop.kernel.rigid.contact_phase import contact_step, equilibrium_is_stable, state_on_panel, vanishing_slip_derivatives
+from hophoop.kernel.rigid.contact_phase import (
+    contact_step,
+    equilibrium_is_stable,
+    state_on_panel,
+    state_without_rotation,
+    vanishing_slip_derivatives,
+)
 from hophoop.kernel.rigid.flight_phase import flight_start, fly, land
 from hophoop.kernel.rigid.panel_choice import solve, solve_noinline
 from hophoop.kernel.rigid.phase import (
@@ -56,7 +62,6 @@ from hophoop.kernel.rigid.sampling import (
     sample,
     state_in_flight,
     state_in_skim,
-    state_without_rotation,
     xi_at_time,
 )
 from hophoop.kernel.rigid.transitions import collide

@@ -10,7 +10,6 @@ from hophoop.kernel.compliant.contact_step import contact_step
 from hophoop.kernel.compliant.motion import contact_force
 from hophoop.kernel.compliant.records import (
     DAMPING,
-    DYNAMIC,
     FIRST,
     FLY,
     FRICTION,
@@ -154,8 +153,7 @@ def flight_step(body, comp, phase, t_end, log, work):
     phase = replaced(phase, revolutions=phase.revolutions + more)
     if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
         work.start[Y] = 0.0
-    for m in range(SIZE):
-        u[m] = work.start[m]
+    u[:] = work.start
     if what == GIVEN_UP:
         return end_motion(phase, after, EVENT_LIMIT)
     if what != LANDED:
@@ -171,16 +169,14 @@ def flight_step(body, comp, phase, t_end, log, work):
 
 def set_tolerances(body, comp, work):
     """Set the sizes of the variables to which errors are relative."""
+    work.atol[:] = 1.0
     work.atol[Y] = min(1.0, 1.0 / comp.k)
-    work.atol[TH] = 1.0
     work.atol[VT] = min(1.0, comp.v_s)
     work.atol[VN] = min(1.0, 1.0 / math.sqrt(comp.k))
-    work.atol[OM] = min(1.0, comp.v_s) if body.resist > 0.0 else 1.0
-    work.atol[Z] = 1.0
+    if body.resist > 0.0:
+        work.atol[OM] = work.atol[VT]
     if comp.friction == BRISTLE:
         work.atol[Z] = min(1.0, 1.0 / comp.k_t)
-    for m in range(DYNAMIC, SIZE):
-        work.atol[m] = 1.0
 
 
 def begin(comp, touching, log, work):
@@ -204,8 +200,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, rows, reach
     these are only counted. `reached[0]` is the computed fraction of the time, for another thread.
     """
     work = new_work()
-    for m in range(SIZE):
-        work.state[m] = start[m]
+    work.state[:] = start
     set_tolerances(body, comp, work)
     log = Log(events, rows, np.array([0, 0, 0, max_steps + 1]), np.full(1, math.nan))
     phase = begin(comp, touching, log, work)
@@ -243,8 +238,7 @@ def sample(body, comp, rows, times, left, out):
         t = min(max(times[index], row[T]), row[T_END])
         kind = row[KIND]
         regime = int(row[REGIME])
-        for m in range(SIZE):
-            begin[m] = row[FIRST + m * (STAGES + 1)]
+        begin[:] = row[FIRST :: STAGES + 1]
         revolutions = row[REVOLUTIONS]
         friction = 0.0
         normal = 0.0

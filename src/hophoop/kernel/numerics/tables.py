@@ -34,7 +34,7 @@ NODE_SINES, NODE_VERSINES = _table("NODE_SINES"), _table("NODE_VERSINES")
 END_SINES, END_VERSINES = _table("END_SINES"), _table("END_VERSINES")
 
 # Radau IIA with 5 stages; see compliant/radau.py
-RADAU_NODES, RADAU_A, RADAU_A_INVERSE = _table("RADAU_NODES"), _table("RADAU_A"), _table("RADAU_A_INVERSE")
+RADAU_NODES, RADAU_A = _table("RADAU_NODES"), _table("RADAU_A")
 RADAU_GAMMA: float = _numbers["RADAU_GAMMA"]
 RADAU_LAMBDA = _complex("RADAU_LAMBDA")
 RADAU_TO_REAL, RADAU_FROM_REAL = _table("RADAU_TO_REAL"), _table("RADAU_FROM_REAL")

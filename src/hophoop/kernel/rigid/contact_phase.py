@@ -331,6 +331,16 @@ def slip_rate_without_rotation(body, sigma):
     return body.gt - sigma * body.mu_k * body.gn if sigma != 0 else 0.0
 
 
+def state_without_rotation(body, sigma, state, t, tau):
+    """Return the state at the time t, by tau after `state`, of rest (σ = 0) or slip without rotation."""
+    rate = slip_rate_without_rotation(body, sigma)
+    slid = state.vt * tau + 0.5 * rate * tau * tau
+    loss = sigma * body.mu_k * body.gn * slid if sigma != 0 else 0.0
+    x, x_low = plus(state.x, state.x_low, slid)
+    vt = state.vt + rate * tau
+    return replaced(state, t=t, t_low=0.0, x=x, x_low=x_low, vt=vt, vn=0.0, om=0.0, friction=state.friction + loss)
+
+
 def slide_without_rotation(body, mode, state, t_end, log):
     """Slip without rotation until v_t = 0 or the final time; return (ending, state)."""
     sigma = slip_direction(mode)
@@ -342,14 +352,10 @@ def slide_without_rotation(body, mode, state, t_end, log):
     if not until <= left:
         ending = Ending.TIME_LIMIT
         tau = left
-    slid = state.vt * tau + 0.5 * rate * tau * tau
-    vt = 0.0 if ending == Ending.SLIP_END else state.vt + rate * tau
-    t, t_low = later(state, tau)
-    if ending != Ending.SLIP_END:
-        t, t_low = t_end, 0.0
-    x, x_low = plus(state.x, state.x_low, slid)
-    friction = state.friction + sigma * body.mu_k * body.gn * slid
-    after = replaced(state, t=t, t_low=t_low, x=x, x_low=x_low, vt=vt, vn=0.0, om=0.0, friction=friction)
+    after = state_without_rotation(body, sigma, state, t_end, tau)
+    if ending == Ending.SLIP_END:
+        t, t_low = later(state, tau)
+        after = replaced(after, t=t, t_low=t_low, vt=0.0)
     write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, state, after.t)
     return ending, after
 

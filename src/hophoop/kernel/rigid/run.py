@@ -256,10 +256,7 @@ def run_cell(tables, until):
     scratch = new_scratch()
     cell = tables.cell[:, 0]
     second = second_of(cell)
-    events = tables.events
-    most = int(cell[Cell.MAX_EVENTS])
-    if events.shape[0] > most:
-        events = events[:most]
+    events = tables.events[: int(cell[Cell.MAX_EVENTS])]
     start = start_of(cell, second)
     limits = limits_until(start, cell[Cell.DURATION] / second, until)
     status, count, pieces = run_within(body_of(cell), start, mode_of(cell), limits, events, tables.segments, scratch)

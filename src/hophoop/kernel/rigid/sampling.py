@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 from hophoop.kernel.native import replaced
-from hophoop.kernel.numerics.arithmetic import plus
 from hophoop.kernel.numerics.circular import sine_cosine
 from hophoop.kernel.numerics.collocation import NOT_FOUND, ORDER, coefficients, first_downcrossing
 from hophoop.kernel.panels.panel import FLY, HOLD, SKIMMING, STRUCK, TIME, Totals, fill_inside, no_panel
@@ -28,18 +27,13 @@ from hophoop.kernel.physics.contact import (
     slip_motion,
 )
 from hophoop.kernel.physics.modes import slip_direction
-from hophoop.kernel.records.layout import COLUMNS, new_scratch
+from hophoop.kernel.records.layout import new_scratch
 from hophoop.kernel.records.state import flown, whole_angle
 from hophoop.kernel.records.writing import find_segment, panel_of, state_of
-from hophoop.kernel.rigid.contact_phase import slip_rate_without_rotation, state_on_panel
+from hophoop.kernel.rigid.contact_phase import state_on_panel, state_without_rotation
 from hophoop.kernel.rigid.flight_phase import time_to_strike
 from hophoop.kernel.rigid.panel_choice import solve
 
-(
-    MODE, X, HEIGHT, ANGLE, VX, VY, OMEGA, SLIP,
-    FRICTION_FORCE, NORMAL_FORCE, FRICTION, IMPACT_NORMAL, IMPACT_TANGENTIAL, THETA, THETA_LOW,
-    ROLLING_RESISTANCE, KINETIC, POTENTIAL,
-) = range(len(COLUMNS))  # fmt: skip
 # Margins of a mode, in kernel units; documented in `hophoop.simulation.phases.Margins`.
 MARGINS = ("normal_force", "friction_force", "friction_limit", "free_acceleration", "slip", "height", "p_sigma")
 
@@ -78,16 +72,6 @@ def state_in_flight(body, f_n, state, tau):
     y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, f_n, tau)
     along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
     return flown(state, along, max(y, 0.0), tau, vt, vn)
-
-
-def state_without_rotation(body, sigma, state, t, tau):
-    """Return the state at the time t, by tau after `state`, of rest (σ = 0) or slip without rotation."""
-    rate = slip_rate_without_rotation(body, sigma)
-    slid = state.vt * tau + 0.5 * rate * tau * tau
-    loss = sigma * body.mu_k * body.gn * slid if sigma != 0 else 0.0
-    x, x_low = plus(state.x, state.x_low, slid)
-    vt = state.vt + rate * tau
-    return replaced(state, t=t, t_low=0.0, x=x, x_low=x_low, vt=vt, vn=0.0, om=0.0, friction=state.friction + loss)
 
 
 def state_in_skim(body, direction, state, t, tau, strikes):
@@ -146,25 +130,13 @@ def sample(body, segments, times, left, out):
             now = state
         if kind != SKIMMING:
             kinetic = kinetic_energy(body, now.th, now.om, now.vt, now.vn, now.th_low)
-        row = out[k]
-        row[MODE] = segment["mode"]
-        row[X] = now.x
-        row[HEIGHT] = now.y
-        row[ANGLE] = whole_angle(now)
-        row[VX] = now.vt + now.om
-        row[VY] = now.vn
-        row[OMEGA] = now.om
-        row[SLIP] = now.vt
-        row[FRICTION_FORCE] = friction
-        row[NORMAL_FORCE] = normal
-        row[FRICTION] = now.friction
-        row[IMPACT_NORMAL] = now.impact_n
-        row[IMPACT_TANGENTIAL] = now.impact_t
-        row[THETA] = now.th
-        row[THETA_LOW] = now.th_low
-        row[ROLLING_RESISTANCE] = now.rolling_loss
-        row[KINETIC] = kinetic
-        row[POTENTIAL] = potential_energy(body, now.x, now.y, now.th)
+        values = (
+            float(segment["mode"]), now.x, now.y, whole_angle(now), now.vt + now.om, now.vn, now.om, now.vt, friction, normal,
+            now.friction, now.impact_n, now.impact_t, now.th, now.th_low, now.rolling_loss, kinetic,
+            potential_energy(body, now.x, now.y, now.th),
+        )  # fmt: skip
+        for i in range(len(values)):
+            out[k, i] = values[i]
 
 
 def margins_of(body, mode, theta, theta_low, omega, slip, height):
