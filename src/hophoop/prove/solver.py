@@ -179,18 +179,16 @@ class Proof:
             file.write_text(json.dumps(self.to_dict(), ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
 
 
-def _event_dict(event: EventRecord[Any]) -> dict[str, Any]:
-    def numbers(record: Any) -> dict[str, Any]:
-        return {
-            name: [str(one.middle), str(one.radius)]
-            if isinstance(one, Enclosure)
-            else one
-            if name != "before"
-            else numbers(one)
-            for name, one in vars(record).items()
-        }
-
-    return numbers(event)
+def _event_dict(record: Any) -> dict[str, Any]:
+    """Return the numbers of an event, and of the velocities before it, for JSON."""
+    return {
+        name: _event_dict(one)
+        if name == "before"
+        else [str(one.middle), str(one.radius)]
+        if isinstance(one, Enclosure)
+        else one
+        for name, one in vars(record).items()
+    }
 
 
 class Units(result.Units):
@@ -271,13 +269,8 @@ def prove_problem(
     for _ in range(TRIES):
         with setting(bits):
             why = ""
-            run = Run(
-                problem,
-                rational(Fraction(1, 10**closing)),
-                until == REVOLUTION,
-                min(max_events, problem.max_events),
-                look_at_clock,
-            )
+            short = rational(Fraction(1, 10**closing))
+            run = Run(problem, short, until == REVOLUTION, min(max_events, problem.max_events), look_at_clock)
             try:
                 run.run()
             except Late as reason:
@@ -287,8 +280,8 @@ def prove_problem(
             except (ZeroDivisionError, ValueError):  # of a division of balls
                 why = "it cannot be shown that no divisor is zero"
             found = _proof(scenario, run, why, digits, until)
-        if best is None or _rank(found) >= _rank(best):
-            best = found
+        # of equal ones the last
+        best = found if best is None else max(found, best, key=lambda one: (one.proved, len(one.events), one.digits_proved))
         if why == LATE:
             return best if best.proved else replace(best, why=LATE)
         if found.proved and found.digits_proved >= digits:
@@ -303,10 +296,6 @@ def prove_problem(
     return best
 
 
-def _rank(proof: Proof) -> tuple[bool, int, int]:
-    return proof.proved, len(proof.events), proof.digits_proved
-
-
 def check_digits(digits: int) -> None:
     """Refuse a number of digits that cannot be asked for."""
     whole = isinstance(digits, int) and not isinstance(digits, bool)
@@ -318,11 +307,8 @@ def _proof(scenario: Scenario, run: Run, why: str, digits: int, until: str) -> P
     """What a run has shown."""
     units, records = Units(run.body, digits), run.records
     events = tuple(result.event_of(record, digits, units) for record in records)
-    status, ending = (
-        ("", "") if why else (str(STATUS_NAMES[run.status]), ENDINGS.get(run.ending, str(STATUS_NAMES[run.status])))
-    )
-    if run.status == Status.EVENT_LIMIT and not why:
-        ending = status
+    status = "" if why else str(STATUS_NAMES[run.status])
+    ending = status if run.status == Status.EVENT_LIMIT or why else ENDINGS.get(run.ending, status)
     times = [raw(record.state.t).mid() for record in records]
     sequence = sequence_of([r.kind for r in records], [r.after_mode for r in records], times, ending == "takeoff")
     verdict = "undecided" if why else "proved"

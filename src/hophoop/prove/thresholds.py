@@ -223,16 +223,17 @@ def decided(scenario: Scenario, digits: int, keys: Collection[str]) -> tuple[lis
     problem = Problem.of(scenario)
     if problem.kap == 0 or not problem.gravity:
         raise InputError("Thresholds are proved for a hoop with mass in its ring, under gravity.")
+    # the others come out of the energy that rolling keeps without resistance
+    asked = [key for key in NUMBERS if key in keys and (not problem.resist or key == "immediate_hop_speed")]
+    reasons = {key: "" if key in asked else "it is not proved with rolling resistance" for key in keys}
     found: dict[str, ProvedNumber] = {}
-    reasons = dict.fromkeys(keys, "")
-    if problem.resist:  # the others come out of the energy that rolling keeps without it
-        reasons |= {key: "it is not proved with rolling resistance" for key in keys if key != "immediate_hop_speed"}
     for share in (1, 2):  # of precision: more where it was not enough
         with setting(int(share * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
             body = Run(problem, ball(0), True, 0, lambda: None).body
-            for key, (statement, unit, value) in NUMBERS.items():
-                if key not in reasons or (problem.resist and key != "immediate_hop_speed"):
+            for key in asked:
+                if key in found:
                     continue
+                statement, unit, value = NUMBERS[key]
                 try:
                     number = value(scenario, body, digits)
                 except (Unclear, InsufficientFriction, ZeroDivisionError) as reason:
@@ -240,8 +241,7 @@ def decided(scenario: Scenario, digits: int, keys: Collection[str]) -> tuple[lis
                     continue
                 reasons[key] = f"{digits} digits of it could not be shown"
                 if number.rad() < abs(number) * arb(10) ** -digits:
-                    known = enclosure(number, digits)
-                    found[key] = ProvedNumber(key, statement.format(scenario.start.speed), unit, known)
+                    found[key] = ProvedNumber(key, statement.format(scenario.start.speed), unit, enclosure(number, digits))
                     del reasons[key]
     return list(found.values()), reasons
 
