@@ -23,7 +23,6 @@ import hophoop.cli
 from hophoop import maps
 from hophoop.cli._options import OPTIONS
 from hophoop.kernel.physics.body import MOST_DEPTH
-from hophoop.maps.grid.axes import SECTIONS
 from hophoop.maps.grid.quantities import QUANTITIES, SETTLED
 from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
 from hophoop.scenario.checking import Frozen, Number, unit_of
@@ -243,7 +242,8 @@ FRICTIONS = ("plane.mu", "plane.mu_static", "plane.mu_kinetic")  # of one range
 def ranges() -> str:
     """What the numbers of a scenario may be, and what those of a compliant contact may be relative to its hoop."""
     rows = []
-    for path, allowed in sorted(RANGES.items(), key=lambda item: SECTIONS.index(item[0].partition(".")[0])):
+    sections = list(Scenario.model_fields)
+    for path, allowed in sorted(RANGES.items(), key=lambda item: sections.index(item[0].partition(".")[0])):
         if path not in FRICTIONS[1:]:
             unit = PARTS.get(path) or PARAMETERS[path].unit
             names = FRICTIONS if path in FRICTIONS else (path,)

@@ -13,7 +13,7 @@ from hophoop import maps
 from hophoop.kernel.records.cells import CELL
 from hophoop.kernel.records.layout import LETTERS_PER_INTEGER
 from hophoop.maps.grid import kernel
-from hophoop.maps.grid.axes import linear, logarithmic, make_axes, ordered, parse_axis
+from hophoop.maps.grid.axes import linear, logarithmic, make_axes, parse_axis
 from hophoop.maps.grid.cells import make_cells
 from hophoop.scenario import cell_of, paths
 from hophoop.vocabulary.names import LAW_CODES
@@ -81,7 +81,7 @@ def test_cells_are_the_scenarios_that_they_stand_for(base, values):
         scenario = maps.scenario_at(base, values)
     except ValueError:
         assume(False)
-    cells = make_cells(base, {path: np.array([values[path]] * 2) for path in ordered(list(values))}, 2)
+    cells = make_cells(base, {path: np.array([value] * 2) for path, value in values.items()}, 2)
     for cell in cells.T:
         assert dict(zip(CELL, cell, strict=True)) == dict(zip(CELL, cell_of(scenario), strict=True))
 

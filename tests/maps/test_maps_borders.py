@@ -30,7 +30,7 @@ def sides(classify, border):
     for before, place, after in zip(places, places[1:], places[2:], strict=False):
         way = after - before
         left = np.array([-way[1], way[0]]) / np.hypot(*way) * 1e-7
-        yield tuple(classify.names[int(classify(*(place + side * left)))] for side in (-1, 1))
+        yield tuple(classify.names[int(classify(place + side * left))] for side in (-1, 1))
 
 
 def test_a_border_parts_its_classes_and_ends_where_a_third_begins():
@@ -38,10 +38,10 @@ def test_a_border_parts_its_classes_and_ends_where_a_third_begins():
     classify = Classifier(hh.Scenario(), border.window, ["sequence"], "first_revolution")
     assert set(list(sides(classify, border))[2:-2]) == {border.classes}
     places = np.transpose(border.window.places(border.x, border.y))
-    u, v = places[-1 if border.ends[1] == "junction" else 0]
+    junction = places[-1 if border.ends[1] == "junction" else 0]
     phi = np.linspace(0, 2 * math.pi, 97)
     assert "junction" in border.ends
-    assert np.unique(classify(u + 1e-6 * np.cos(phi), v + 1e-6 * np.sin(phi))).size >= 3
+    assert np.unique(classify(junction + 1e-6 * np.stack([np.cos(phi), np.sin(phi)], axis=-1))).size >= 3
 
 
 class Drawn(Classifier):
@@ -53,13 +53,13 @@ class Drawn(Classifier):
         self.name_of = name_of
         self.names = ["out", "in", "third"]
 
-    def at(self, x, y):
-        return np.array([self.names.index(self.name_of(*place)) for place in zip(x, y, strict=True)], int)
+    def at(self, values):
+        return np.apply_along_axis(lambda place: self.names.index(self.name_of(*place)), -1, values)
 
     def curves(self, count):
         lines = np.linspace(0.0, 1.0, count)
         grid = np.stack(np.meshgrid(lines, lines, indexing="ij"), axis=-1)
-        return curves(self, grid, self(grid[..., 0], grid[..., 1]))
+        return curves(self, grid, self(grid))
 
 
 def test_closed_borders():

@@ -50,8 +50,8 @@ class Entry(NamedTuple):
         -------
         scenario : Scenario
         """
-        base = Scenario().replace("hoop.load_fraction", self.load_fraction)
-        return base.replace("plane.mu", self.mu).replace("start.speed", self.speed)
+        values = {"hoop.load_fraction": self.load_fraction, "plane.mu": self.mu, "start.speed": self.speed}
+        return Scenario().with_values(values)
 
 
 def catalogue(load_fraction: float = 0.75, width: float = 0.0) -> list[Entry]:
@@ -96,7 +96,7 @@ def catalogued() -> list[float]:
     load_fractions : list of float
         Values of γ [1].
     """
-    return sorted(float(key) for key in _data()["hoops"])
+    return sorted(map(float, _data()["hoops"]))
 
 
 @cache

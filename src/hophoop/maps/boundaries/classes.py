@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,6 +15,7 @@ from hophoop.maps.grid.quantities import choose_quantities, make_span
 from hophoop.scenario import InputError, Scenario
 
 Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
 
 # Where several events coincide, rounding puts slivers of other classes between two: below this width, relative to the window,
 # they are ignored.
@@ -42,19 +43,17 @@ class Window(NamedTuple):
 
     def values(self, u: Any, v: Any) -> tuple[Floats, Floats]:
         """Return the parameters' values at positions of the window."""
-        ranges = (self.x_range, self.y_range)
         x, y = (
             low * exponential(place * logarithm(high / low)) if by_ratio else low + (high - low) * place
-            for place, (low, high), by_ratio in zip((u, v), ranges, self.logarithmic, strict=True)
+            for place, (low, high), by_ratio in zip((u, v), (self.x_range, self.y_range), self.logarithmic, strict=True)
         )
         return x, y
 
     def places(self, x: Any, y: Any) -> tuple[Floats, Floats]:
         """Return the positions of values in the window."""
-        ranges = (self.x_range, self.y_range)
         u, v = (
             logarithm(value / low) / logarithm(high / low) if by_ratio else (value - low) / (high - low)
-            for value, (low, high), by_ratio in zip((x, y), ranges, self.logarithmic, strict=True)
+            for value, (low, high), by_ratio in zip((x, y), (self.x_range, self.y_range), self.logarithmic, strict=True)
         )
         return u, v
 
@@ -75,16 +74,11 @@ def make_window(
             raise InputError.of_field("logarithmic", path, f"one of {', '.join(ranges)}")
         if not ranges[path][0] > 0.0:
             raise InputError(f"range of {path} = {ranges[path]!r} must be greater than 0 in a logarithmic window.")
-    x, y = make_axes(base, {path: list(ends) for path, ends in ranges.items()})
+    x, y = make_axes(base, ranges)
     if "" in (x.unit, y.unit):
         raise InputError("ranges must be of numbers, not of words.")
-    return Window(
-        x.path,
-        y.path,
-        (float(ranges[x.path][0]), float(ranges[x.path][1])),
-        (float(ranges[y.path][0]), float(ranges[y.path][1])),
-        (x.path in logarithmic, y.path in logarithmic),
-    )
+    x_range, y_range = ((float(low), float(high)) for low, high in ranges.values())
+    return Window(x.path, y.path, x_range, y_range, (x.path in logarithmic, y.path in logarithmic))
 
 
 class Border(NamedTuple):
@@ -126,16 +120,35 @@ class Classifier:
         self.span = make_span(span)
         self.names: list[str] = []
 
-    def __call__(self, u: Any, v: Any) -> NDArray[np.int64]:
-        """Return the codes at positions, each from 0 to 1."""
-        u, v = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
-        return self.at(*self.window.values(u.reshape(-1), v.reshape(-1))).reshape(u.shape)
+    def __call__(self, places: Floats) -> Integers:
+        """Return the codes at positions, each from 0 to 1, along the last axis."""
+        return self.at(np.stack(self.window.values(places[..., 0], places[..., 1]), axis=-1))
 
-    def at(self, x: Floats, y: Floats) -> NDArray[np.int64]:
-        """Return the codes at values of the two parameters, arrays of equal length."""
+    def at(self, values: Floats) -> Integers:
+        """Return the codes at values of the two parameters along the last axis."""
+        x, y = values.reshape(-1, 2).T
         found = points(self.base, {self.window.x: x, self.window.y: y}, [one.name for one in self.quantities], self.span.name)
         rows = zip(*(column.tolist() for column in found.values()), strict=True)
         labels = [" ".join(word or "not_allowed" for word in row) for row in rows]
         self.names += [label for label in dict.fromkeys(labels) if label not in self.names]
         codes = {label: code for code, label in enumerate(self.names)}
-        return np.array([codes[label] for label in labels])
+        return np.array([codes[label] for label in labels]).reshape(values.shape[:-1])
+
+
+def first_changes(
+    classify: Callable[[Floats], Integers], near: Floats, far: Floats, codes: Any, sliver: Any, between: Callable[..., Floats]
+) -> tuple[Floats, Integers]:
+    """Return where the classes of near points first change on the way to far ones, as far as sampled, and those beyond.
+
+    codes: of the near points; between: points between two, by which each line is divided again and again, to neighbouring
+    doubles.
+    """
+    end, rows = far, np.arange(len(near))
+    while True:
+        inner = between(near, far)
+        if ((inner == near) | (inner == far)).all():
+            return far, classify(far + np.clip(end - far, -sliver, sliver))
+        changed = classify(inner) != codes
+        k = np.where(changed.any(axis=0), changed.argmax(axis=0), len(inner))
+        places = np.concatenate([[near], inner, [far]])
+        near, far = places[k, rows], places[k + 1, rows]

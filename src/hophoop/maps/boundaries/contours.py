@@ -7,17 +7,14 @@ import json
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop._support.extras import need
-from hophoop.maps.boundaries.classes import SLIVER, Border, Classifier, Floats, make_window
+from hophoop.maps.boundaries.classes import SLIVER, Border, Classifier, Floats, Integers, first_changes, make_window
 from hophoop.maps.grid.axes import has_equal_ratios
 from hophoop.scenario import InputError, Scenario
 
 if TYPE_CHECKING:
     import xarray
-
-Integers = NDArray[np.int64]
 
 
 def borders(dataset: xarray.Dataset, quantity: str = "sequence") -> list[Border]:
@@ -58,8 +55,7 @@ def borders(dataset: xarray.Dataset, quantity: str = "sequence") -> list[Border]
     window = make_window(base, ranges, [path for path, values in axes.items() if has_equal_ratios(values)])
     classify = Classifier(base, window, [quantity], plan["span"])
     grid = np.stack(np.meshgrid(*axes.values(), indexing="ij"), axis=-1)
-    codes = classify.at(*grid.reshape(-1, 2).T).reshape(grid.shape[:2])
-    return curves(classify, grid, codes)
+    return curves(classify, grid, classify.at(grid))
 
 
 def curves(classify: Classifier, grid: Floats, codes: Integers) -> list[Border]:
@@ -75,13 +71,21 @@ def curves(classify: Classifier, grid: Floats, codes: Integers) -> list[Border]:
         return []
     # vertices are the middles of edges, in grid lines
     edges = np.concatenate([line for _, line in lines])
-    inner = np.repeat([code for code, _ in lines], [len(line) for _, line in lines])
+    lengths = [len(line) for _, line in lines]
+    inner = np.repeat([code for code, _ in lines], lengths)
     one, other = np.floor(edges).astype(int), np.ceil(edges).astype(int)
     starts_at_one = (codes[tuple(one.T)] == inner)[:, None]
     near, far = (tuple(np.where(starts_at_one, *pair).T) for pair in ((one, other), (other, one)))
-    points, outer = _bisect(classify, grid[near], grid[far], inner)
+    sliver = SLIVER * np.ptp([classify.window.x_range, classify.window.y_range], axis=1)
+
+    def middle(near: Floats, far: Floats) -> Floats:
+        by_ratio = np.sqrt(np.abs(near)) * np.sqrt(np.abs(far))
+        found = np.where(classify.window.logarithmic, by_ratio, 0.5 * (near + far))
+        return np.clip(found, np.minimum(near, far), np.maximum(near, far))[np.newaxis]
+
+    points, outer = first_changes(classify.at, grid[near], grid[far], inner, sliver, middle)
     seen = outer == codes[far]  # not a third class between grid points
-    parts = np.split(np.arange(len(edges)), np.cumsum([len(line) for _, line in lines])[:-1])
+    parts = np.split(np.arange(len(edges)), np.cumsum(lengths)[:-1])
     runs = [run for rows in parts for run in _runs(rows, edges, outer)]
     found: list[Border] = []
     taken: set[object] = set()
@@ -108,18 +112,3 @@ def _runs(rows: Integers, edges: Floats, outer: Integers) -> list[tuple[Integers
         cuts = cuts[1:] - cuts[0]
     ends = [end, *("junction" for _ in cuts), end]
     return list(zip(np.split(rows, cuts), itertools.pairwise(ends), strict=True))
-
-
-def _bisect(classify: Classifier, near: Floats, far: Floats, codes: Integers) -> tuple[Floats, Integers]:
-    """Return where the classes of near points first change on the way to far ones, and the classes beyond."""
-    end = far
-    while True:
-        by_ratio = np.sqrt(np.abs(near)) * np.sqrt(np.abs(far))
-        middle = np.where(classify.window.logarithmic, by_ratio, 0.5 * (near + far))
-        middle = np.clip(middle, np.minimum(near, far), np.maximum(near, far))
-        if ((middle == near) | (middle == far)).all():
-            break
-        same = (classify.at(*middle.T) == codes)[:, None]
-        near, far = np.where(same, middle, near), np.where(same, far, middle)
-    sliver = SLIVER * np.ptp([classify.window.x_range, classify.window.y_range], axis=1)
-    return far, classify.at(*(far + np.clip(end - far, -sliver, sliver)).T)

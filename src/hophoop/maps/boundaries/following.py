@@ -14,7 +14,7 @@ import numpy as np
 
 from hophoop.kernel.numerics.arithmetic import weighted_sum
 from hophoop.kernel.numerics.elementwise import arctangent2, hypotenuse, sine_and_cosine
-from hophoop.maps.boundaries.classes import SLIVER, Border, Classifier, Floats, make_window
+from hophoop.maps.boundaries.classes import SLIVER, Border, Classifier, Floats, first_changes, make_window
 from hophoop.scenario import InputError, Scenario
 
 # First samples on a circle, by their angle to the last step [rad]: closest ahead, where a class may be narrow.
@@ -92,10 +92,10 @@ def boundary(
 
 def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: int) -> Border:
     """Follow a boundary between two positions of a window."""
-    code, last = classify(*np.transpose([one, other])).tolist()
+    code, last = classify(np.array([one, other])).tolist()
     if code == last:
         raise InputError(f"the two points are of one class, {classify.names[code]}: a boundary must lie between them.")
-    start, beyond = _first_change(classify, one, other, code)
+    (start,), (beyond,) = first_changes(classify, one[None], other[None], code, SLIVER, _between)
     # `one` is on the left ahead
     ahead = np.array([one[1] - other[1], other[0] - one[0]])
     points, last_end = _walk(classify, start, ahead, (beyond, code), step, most)
@@ -107,19 +107,9 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
     return Border(classify.window, x, y, (classify.names[beyond], classify.names[code]), (first_end, last_end))
 
 
-def _first_change(classify: Classifier, near: Floats, far: Floats, code: int) -> tuple[Floats, int]:
-    """Return where the class first changes from `code` on the way to `far`, as far as sampled, and the class beyond."""
-    end = far
-    while True:
-        places = np.linspace(near, far, PARTS + 1)
-        inner = places[((places != near) & (places != far)).any(axis=1)]
-        if inner.size == 0:
-            break
-        changed = classify(*inner.T) != code
-        k = int(changed.argmax()) if changed.any() else len(inner)
-        bounds = [near, *inner, far]
-        near, far = bounds[k], bounds[k + 1]
-    return far, int(classify(*(far + np.clip(end - far, -SLIVER, SLIVER))))
+def _between(near: Floats, far: Floats) -> Floats:
+    """Return the points that divide a line into equal parts."""
+    return np.linspace(near, far, PARTS + 1)[1:-1]
 
 
 def _walk(
@@ -160,10 +150,10 @@ def _next(classify: Classifier, point: Floats, ahead: Floats, codes: tuple[int, 
     sines, cosines = sine_and_cosine(arctangent2(ahead[1], ahead[0]) + ANGLES)
     # outside the window the classes are those of its edge
     circle = np.clip(point + radius * np.stack([cosines, sines], axis=-1), 0.0, 1.0)
-    seen = classify(*circle.T)
+    seen = classify(circle)
     changes = np.flatnonzero((seen[:-1] == codes[0]) & (seen[1:] == codes[1]))
     if changes.size == 0:
         return None
     k = changes[np.argmin(np.abs(ANGLES[changes]))]
-    found, beyond = _first_change(classify, circle[k], circle[k + 1], codes[0])
+    (found,), beyond = first_changes(classify, circle[[k]], circle[[k + 1]], codes[0], SLIVER, _between)
     return found if beyond == codes[1] else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Context, Decimal, localcontext
 from numbers import Real
 from typing import Any, NamedTuple
@@ -19,11 +19,10 @@ from hophoop.scenario.models import Rigid
 from hophoop.scenario.paths import contradiction
 from hophoop.vocabulary.parameters import PARAMETERS, RANGES
 
-SECTIONS = ("duration", "hoop", "plane", "start", "contact")
 MOST_VALUES = 100_000_000  # on one axis, since its values are in memory
 LN_10 = float.fromhex("0x1.26bb1bbb55516p+1")
-LOWEST_DECADE, HIGHEST_DECADE = -323, 308  # of doubles
-TENS = np.array([float(f"1e{decade}") for decade in range(LOWEST_DECADE, HIGHEST_DECADE + 1)])
+LOWEST_DECADE = -323  # of doubles
+TENS = np.array([float(f"1e{decade}") for decade in range(LOWEST_DECADE, 309)])
 TWO_AXES = "{one} and {other} cannot both be axes: they say the same thing in two ways."
 
 
@@ -111,14 +110,10 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
             raise InputError.of_field("end of a logarithmic axis", end, "greater than 0")
         if end == math.inf:
             raise InputError.of_field("end of a logarithmic axis", end, "finite")
-    return geometric(first, last, _count(count))
-
-
-def geometric(first: float, last: float, count: int) -> NDArray[np.float64]:
-    """Return values of equal ratios, the same bits on every machine; powers of ten among them are exact."""
+    # the same bits on every machine, and powers of ten exact
     with localcontext(Context(prec=30)):
         low, high = (float(Decimal(float(end)).log10()) for end in (first, last))
-    exponents = np.linspace(low, high, count)
+    exponents = np.linspace(low, high, _count(count))
     decades = np.floor(exponents + 0.5)
     values: NDArray[np.float64] = TENS[(decades - LOWEST_DECADE).astype(int)] * exponential((exponents - decades) * LN_10)
     values[0], values[-1] = first, last
@@ -149,25 +144,22 @@ def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
     >>> parse_axis("plane.impact_law=newton,stronge")[1].tolist()
     ['newton', 'stronge']
     """
-    path, equals, rest = text.partition("=")
-    path = path.strip()
+    path, _, rest = text.partition("=")
+    path, parts = path.strip(), rest.split(":")
     usage = f"axis {text!r} must read path=first:last:count, path=first:last:count:log or path=a,b,c."
-    if not equals or not path or not rest:
+    if not path or not rest or len(parts) not in (1, 3, 4) or parts[3:] not in ([], ["log"]):
         raise InputError(usage)
-    parts = rest.split(":")
     if len(parts) == 1:
         words = [word.strip() for word in rest.split(",")]
         try:
             return path, np.array([float(word) for word in words])
         except ValueError:
             return path, np.array(words)
-    spacing = {3: linear, 4: logarithmic}.get(len(parts))
-    if spacing is None or parts[3:] not in ([], ["log"]):
-        raise InputError(usage)
     try:
         first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
     except ValueError:
         raise InputError(usage) from None
+    spacing = logarithmic if parts[3:] else linear
     return path, spacing(first, last, count)
 
 
@@ -175,18 +167,13 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
     """Check the axes of a map, values by path in SI units, against the scenario that they vary."""
     if not axes:
         raise InputError(f"axes = {list(axes)!r} must name at least one parameter.", field="axes", value=list(axes))
-    check_rigid(base)
-    made = []
-    for path, values in axes.items():
-        info = parameter(path)
-        array = axis_values(path, values)
+    arrays = checked_values(base, axes)
+    made = [Axis(path, array, parameter(path).unit, parameter(path).description) for path, array in arrays.items()]
+    for path, array in arrays.items():
         if array.ndim != 1 or array.size == 0:
             raise InputError(f"axis {path} must be a list of values, not of shape {array.shape}.")
         if np.unique(array).size != array.size:
             raise InputError(f"axis {path} must not hold a value twice.")
-        made.append(Axis(path, array, info.unit, info.description))
-    check_pairs(axes)
-    check_ranges(base, {axis.path: axis.values for axis in made})
     # what is allowed between the least and the largest number follows
     tried = {axis.path: axis.values if axis.unit == "" else [axis.values.min(), axis.values.max()] for axis in made}
     for path in tried:
@@ -194,50 +181,48 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
     return tuple(made)
 
 
-def check_rigid(base: Scenario) -> None:
-    """Refuse a map with compliant contact."""
+def checked_values(base: Scenario, values: Mapping[str, ArrayLike]) -> dict[str, NDArray[Any]]:
+    """Return the values of parameters by path as numbers or words, each in the range of its parameter [SI]."""
+    check_type("base", base, Scenario)
     if not isinstance(base.contact, Rigid):
         raise InputError.of_field("contact.model", base.contact.model, "'rigid' in a map")
+    arrays = {path: _array_of(path, given) for path, given in values.items()}
+    if pair := contradiction(values):
+        raise InputError(TWO_AXES.format(one=pair[0], other=pair[1]))
+    for path, array in arrays.items():
+        _check_range(base, path, np.unique(array))
+    return arrays
 
 
-def axis_values(path: str, values: ArrayLike) -> NDArray[Any]:
+def _array_of(path: str, values: ArrayLike) -> NDArray[Any]:
     """Return the values of a parameter as numbers, or words where it is one [SI]."""
-    array = np.asarray(values)
-    if path == "contact.model" or (path.startswith("contact.") and path != "contact.max_events"):
+    if path.startswith("contact.") and path != "contact.max_events":
         raise InputError(f"{path} cannot be an axis: maps are made with rigid contact.")
     if path in ("start.slip", "start.mode"):
         raise InputError(f"{path} cannot be an axis: it belongs to a start that goes on from a state of a motion.")
     if parameter(path).unit == "":
-        return array.astype(str)
+        return np.asarray(values).astype(str)
     try:
-        return array.astype(float)
+        return np.asarray(values).astype(float)
     except (TypeError, ValueError):
         raise InputError(f"axis {path} must hold numbers.") from None
 
 
-def check_ranges(base: Scenario, arrays: Mapping[str, NDArray[Any]]) -> None:
+def _check_range(base: Scenario, path: str, values: NDArray[Any]) -> None:
     """Refuse a value that its parameter never has, with the sentence of a scenario that has it."""
-    for path, array in arrays.items():
-        values = np.unique(array)
-        if path in RANGES:
-            allowed = RANGES[path]
-            held = ((allowed.least <= values) & (values <= allowed.most)) | np.isin(values, allowed.also)
-            if path == "contact.max_events":
-                held &= values == np.floor(values)
-        elif path in PARAMETERS:
-            held = np.isin(values, [word for word, _ in PARAMETERS[path].choices])
-        else:  # a number of a part, which make_cells checks with its hoop
-            continue
-        if not held.all():
-            wrong = values[~held][0]
-            if path == "contact.max_events" and wrong == np.floor(wrong):
-                wrong = int(wrong)  # as a scenario shows it
-            scenario_at(base, {path: wrong})
-
-
-def ordered(paths: Sequence[str]) -> list[str]:
-    """Return paths in the order in which a map sets values: by section, within a section as given."""
-    return sorted(paths, key=lambda path: SECTIONS.index(path.partition(".")[0]))
+    if path in RANGES:
+        allowed = RANGES[path]
+        held = ((allowed.least <= values) & (values <= allowed.most)) | np.isin(values, allowed.also)
+        if path == "contact.max_events":
+            held &= values == np.floor(values)
+    elif path in PARAMETERS:
+        held = np.isin(values, [word for word, _ in PARAMETERS[path].choices])
+    else:  # a number of a part, which make_cells checks with its hoop
+        return
+    if not held.all():
+        wrong = values[~held][0]
+        counts = path == "contact.max_events" and wrong.is_integer()
+        scenario_at(base, {path: int(wrong) if counts else wrong})  # as a scenario shows it
 
 
 def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
@@ -266,33 +251,25 @@ def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
     """
     check_type("base", base, Scenario)
     check_type("values", values, Mapping)
-    return base.with_values({path: values[path] for path in ordered(list(values))})
+    return base.with_values(values)
 
 
 def _check_values(base: Scenario, path: str, tried: dict[str, Any]) -> None:
     """Refuse a value of an axis that no value of the other axes allows; cells of others that do not allow it are marked."""
     for value in tried[path]:
-        try:
-            scenario_at(base, {path: value})
-        except InputError:
-            cells = [dict(zip(tried, values, strict=True)) for values in itertools.product(*(tried | {path: [value]}).values())]
-            if not any(_is_allowed(base, cell) for cell in cells):
-                raise
+        refusal = _refusal(base, {path: value})
+        cells = itertools.product(*(tried | {path: [value]}).values())
+        if refusal and all(_refusal(base, dict(zip(tried, cell, strict=True))) for cell in cells):
+            raise refusal
 
 
-def _is_allowed(base: Scenario, values: Mapping[str, Any]) -> bool:
+def _refusal(base: Scenario, values: Mapping[str, Any]) -> InputError | None:
+    """Return the error of a scenario with these values, if it has one."""
     try:
         scenario_at(base, values)
-    except InputError:
-        return False
-    return True
-
-
-def check_pairs(paths: Collection[str]) -> None:
-    """Refuse two paths that say the same thing in two ways."""
-    pair = contradiction(paths)
-    if pair is not None:
-        raise InputError(TWO_AXES.format(one=pair[0], other=pair[1]))
+    except InputError as error:
+        return error
+    return None
 
 
 def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import os
 from collections.abc import Mapping, Sequence
@@ -19,7 +18,7 @@ from hophoop.kernel.native import compiled
 from hophoop.kernel.records import MapRequest, MapResults, unpacked_sequence
 from hophoop.kernel.steps import RESOLVED
 from hophoop.maps.grid import kernel
-from hophoop.maps.grid.axes import Axis, axis_values, check_pairs, check_ranges, check_rigid, chunk_shape, make_axes
+from hophoop.maps.grid.axes import Axis, checked_values, chunk_shape, make_axes
 from hophoop.maps.grid.cells import make_cells
 from hophoop.maps.grid.quantities import (
     Quantity,
@@ -68,18 +67,16 @@ class Plan(NamedTuple):
         """Return the cells of a chunk by its place among the chunks."""
         return tuple(slice(i * c, min((i + 1) * c, n)) for i, c, n in zip(index, self.chunk, self.shape, strict=True))
 
-    def to_text(self) -> str:
-        """Return the plan as JSON, with the version; equal plans have equal texts."""
-        return json.dumps(
-            {
-                "hophoop": __version__,
-                "tolerance": RESOLVED,
-                "scenario": self.base.to_dict(),
-                "axes": {axis.path: _json(axis.values) for axis in self.axes},
-                "quantities": [quantity.name for quantity in self.quantities],
-                "span": self.span.name,
-            }
-        )
+    def to_dict(self) -> dict[str, Any]:
+        """Return the plan for JSON, with the version; equal plans have equal texts."""
+        return {
+            "hophoop": __version__,
+            "tolerance": RESOLVED,
+            "scenario": self.base.to_dict(),
+            "axes": {axis.path: _json(axis.values) for axis in self.axes},
+            "quantities": [quantity.name for quantity in self.quantities],
+            "span": self.span.name,
+        }
 
 
 def _json(values: NDArray[Any]) -> list[Any]:
@@ -95,7 +92,7 @@ def make_plan(
     chunk_cells: int = CHUNK_CELLS,
 ) -> Plan:
     """Check the arguments of a map and return its plan; chunks have at most `chunk_cells` cells."""
-    base = _base_of(base)
+    base = Scenario() if base is None else base
     if chunk_cells < 1:
         raise InputError.of_field("chunk_cells", chunk_cells, "at least 1")
     check_type("axes", axes, Mapping)
@@ -105,13 +102,6 @@ def make_plan(
     chosen, part = choose_quantities(quantities), make_span(span, in_the_end=True)
     check_span(base, chosen, part)
     return Plan(base, made, chosen, part, chunk)
-
-
-def _base_of(base: Scenario | None) -> Scenario:
-    """Return the scenario to vary, by default the reference hoop."""
-    if base is not None:
-        check_type("base", base, Scenario)
-    return base or Scenario()
 
 
 def run_cells(cells: NDArray[np.float64], span: Span, flags: int, pool: Executor | None = None) -> MapResults:
@@ -125,16 +115,13 @@ def run_cells(cells: NDArray[np.float64], span: Span, flags: int, pool: Executor
         np.empty((count, len(kernel.WORDS)), np.int32),
         np.empty((count, kernel.INTEGERS), np.uint64),
     )
-    request = MapRequest(span.angle, span.stop, span.timed, flags)
-    settled, evaluate = span.name in SETTLED_SPANS, compiled(kernel.evaluate_block)
+    settled = span.name in SETTLED_SPANS
+    evaluate: Any = evaluate_settled if settled else compiled(kernel.evaluate_block)
+    request = span.name if settled else MapRequest(span.angle, span.stop, span.timed, flags)
     step = kernel.BLOCK if settled else CALL_CELLS
 
     def run(low: int) -> None:
-        high = min(low + step, count)
-        if settled:
-            evaluate_settled(cells, low, high, span.name, results)
-        else:
-            evaluate(cells, low, high, request, results)
+        evaluate(cells, low, min(low + step, count), request, results)
 
     for _ in (map if pool is None else pool.map)(run, range(0, count, step)):
         pass
@@ -183,17 +170,13 @@ def points(
     >>> points(None, {"start.speed": [0.1, 2.8, 3.1, 5.0]})["sequence"].tolist()
     ['R', 'RKRSR', 'RKRSH', 'H']
     """
-    base = _base_of(base)
+    base = Scenario() if base is None else base
     check_type("values", values, Mapping)
     chosen = choose_quantities(quantities)
-    check_rigid(base)
-    check_pairs(values)
-    arrays = {path: axis_values(path, array) for path, array in values.items()}
-    check_ranges(base, arrays)
+    arrays = checked_values(base, values)
     spread = np.broadcast_arrays(*arrays.values())
     shape = spread[0].shape if spread else (1,)
-    flat = {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}
-    cells = make_cells(base, flat, math.prod(shape))
+    cells = make_cells(base, {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}, math.prod(shape))
     part = make_span(span, in_the_end=True)
     check_span(base, chosen, part)
     few = cells.shape[1] <= CALL_CELLS  # not worth the threads

@@ -42,9 +42,9 @@ NUMBERS = (
 WORDS = ("status", "ending", "first_event", "hop", "painleve")
 STATUS_WORD, ENDING_WORD, FIRST_EVENT_WORD, HOP_WORD, PAINLEVE_WORD = range(len(WORDS))
 
-# How a span ended.
+# How a span ended; the last four are those of `Status` that are not COMPLETED, in its order.
 ENDINGS = ("duration", "revolutions", "reversal", "takeoff", "rest", "jam", "undetermined", "event_limit")
-BY_TIME, BY_ANGLE, BY_REVERSAL, BY_TAKEOFF, BY_REST, BY_JAM, BY_DOUBT, BY_EVENTS = range(len(ENDINGS))
+BY_TIME, BY_ANGLE, BY_REVERSAL, BY_TAKEOFF, BY_REST = range(5)
 NOT_ALLOWED = -1
 
 INTEGERS = 4  # of a packed sequence, see records.layout
@@ -78,14 +78,9 @@ class Workspace(NamedTuple):
     scratch: Any
 
 
-def is_passing(kind):
-    """Return True if an event does not end its phase."""
-    return kind in PASSING
-
-
 def leaves_plane(row):
     """Return True if the rim leaves the plane at this event."""
-    return row["after_mode"] == Mode.FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
+    return row["after_mode"] == Mode.FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and row["kind"] not in PASSING
 
 
 def reduce_flight(motion, hop, scales, workspace, numbers, k):
@@ -124,17 +119,10 @@ def ending_of(motion, request):
     """Return the limit or event that ended the span."""
     if motion.cut:
         return BY_TAKEOFF
-    status = motion.status
     events = motion.events
     count = motion.length
-    if status == Status.AT_REST:
-        return BY_REST
-    if status == Status.JAMMED:
-        return BY_JAM
-    if status == Status.UNDETERMINED:
-        return BY_DOUBT
-    if status == Status.EVENT_LIMIT:
-        return BY_EVENTS
+    if motion.status != Status.COMPLETED:
+        return BY_REST + motion.status - Status.AT_REST
     end = events[count - 1]
     for i in range(count - 2, -1, -1):
         before = events[i]
@@ -171,25 +159,25 @@ def reduce_motion(motion, request, hop, scales, workspace, results, k):
     ended = events[last]["t"]
     for i in range(motion.length):
         row = events[i]
-        if i > 0 and first < 0 and row["kind"] != Event.APEX:
-            first = row["kind"]
-        kind = row["kind"]
-        if kind == Event.PAINLEVE_INCONSISTENT or kind == Event.PAINLEVE_INDETERMINATE or kind == Event.JAM:
+        kind, follows = row["kind"], row["after_mode"]
+        if i > 0 and first < 0 and kind != Event.APEX:
+            first = kind
+        if kind in (Event.PAINLEVE_INCONSISTENT, Event.PAINLEVE_INDETERMINATE, Event.JAM):
             painleve = 1
-        if row["kind"] == Event.REST:
+        if kind == Event.REST:
             ended = row["t"]
-        if i < last and row["after_mode"] == Mode.ROLL:
+        if i < last and follows == Mode.ROLL:
             rolled += abs(events[i + 1]["x"] - row["x"])
-        if is_passing(row["kind"]) and i < last:
+        if kind in PASSING and i < last:
             continue
         if mark >= 0 and row["t"] > events[mark]["t"]:
-            length = add_letter(sequences, k, length, events[mark]["after_mode"])
+            length = add_letter(sequences, k, length, mode)
         mark = i
-        if row["after_mode"] == Mode.ROLL and mode != Mode.ROLL:
+        if follows == Mode.ROLL and mode != Mode.ROLL:
             rolling_since = row["angle"]
-        mode = row["after_mode"]
+        mode = follows
     if ending == BY_TAKEOFF or length == 0:
-        length = add_letter(sequences, k, length, events[last]["after_mode"])
+        length = add_letter(sequences, k, length, mode)
     start = events[0]
     end = events[last]
     words[k, STATUS_WORD] = Status.COMPLETED if motion.cut else motion.status
@@ -204,9 +192,7 @@ def reduce_motion(motion, request, hop, scales, workspace, results, k):
     numbers[k, DISTANCE_ROLLED] = rolled * scales.length
     if mode == Mode.ROLL and ending <= BY_REST:
         numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - start["angle"]) / (2.0 * math.pi)
-    lost = end["friction"] + end["impact_normal"] + end["impact_tangential"]
-    if motion.body.resist > 0.0:
-        lost += end["rolling_resistance"]
+    lost = end["friction"] + end["impact_normal"] + end["impact_tangential"] + end["rolling_resistance"]
     numbers[k, ENERGY_LOST] = lost * scales.energy
     if request.quantities & UTILIZATION_REQUESTED:
         numbers[k, GREATEST_UTILIZATION] = greatest_utilization(motion, workspace.scratch)
@@ -219,12 +205,9 @@ def evaluate_cell(cells, k, request, events, segments, workspace, results):
 
     `workspace.passing` takes 2 more events, and `workspace.segments` has length 0.
     """
-    for i in range(len(NUMBERS)):
-        results.numbers[k, i] = math.nan
-    for i in range(len(WORDS)):
-        results.words[k, i] = NOT_ALLOWED
-    for i in range(INTEGERS):
-        results.sequences[k, i] = np.uint64(0)
+    results.numbers[k, :] = math.nan
+    results.words[k, :] = NOT_ALLOWED
+    results.sequences[k, :] = 0
     if cells[Cell.ALLOWED, k] == 0.0:
         return True
     scales = scales_of(cells[:, k])
@@ -233,8 +216,7 @@ def evaluate_cell(cells, k, request, events, segments, workspace, results):
     t_end = cells[Cell.DURATION, k] / scales.time if request.timed else FOREVER
     angle_span, stop, scratch = request.angle_span, request.stop, workspace.scratch
     most = int(cells[Cell.MAX_EVENTS, k])
-    if events.shape[0] > most:
-        events = events[:most]
+    events = events[:most]
     mode = mode_of(cells[:, k])
     status, count, pieces = run(body, start, mode, t_end, angle_span, stop, events, segments, scratch)
     if status == Status.BUFFER:

@@ -61,60 +61,47 @@ class Quantity(NamedTuple):
         return kernel.NOT_ALLOWED if self.is_code else math.nan
 
 
-def _number(name: str, meaning: str, unit: str) -> Quantity:
-    return Quantity(name, meaning, unit, (), kernel.NUMBERS.index(name))
-
-
-def _code(name: str, meaning: str, words: Iterable[str]) -> Quantity:
-    return Quantity(name, meaning, "", tuple(words), kernel.WORDS.index(name))
-
-
+_CODES: tuple[tuple[str, str, Sequence[str]], ...] = (
+    ("status", "How the motion ended", STATUS_NAMES),
+    ("ending", "What ended the span", kernel.ENDINGS),
+    ("first_event", "First event after the start except the apex of a flight", EVENT_NAMES),
+    ("hop", "Whether the rim leaves the plane", ("no", "yes")),
+    ("painleve", "Whether Painlevé's paradox or the jam is met", ("no", "yes")),
+)
+_NUMBERS = (
+    ("time", "Time to the end of the span, or to rest", "s"),
+    ("end_angle", "Angle at the end of the span", "rad"),
+    ("end_speed", "Speed of the centre along the plane at the end of the span", "m/s"),
+    ("distance", "Displacement of the centre along the plane", "m"),
+    ("distance_rolled", "Distance covered in rolling", "m"),
+    ("revolutions_to_rolling", "Revolutions to the span's last phase, where that is rolling", "1"),
+    ("energy_lost", "Energy lost in slip, in impacts and to rolling resistance", "J"),
+    ("greatest_utilization", "Maximum friction utilization, abs(F)/(mu N) with mu_kinetic in slip, else mu_static", "1"),
+    ("takeoff_time", "Time of the first take-off", "s"),
+    ("takeoff_angle", "Angle at the first take-off", "rad"),
+    ("hop_height", "Maximum gap in the first hop", "m"),
+    ("flight_time", "Duration of the first hop", "s"),
+    ("flight_distance", "Displacement of the centre in the first hop", "m"),
+    ("landing_angle", "Angle at the landing of the first hop", "rad"),
+    ("landing_loss", "Energy lost in the landing of the first hop", "J"),
+)
+_SETTLED = (
+    ("period", "Passages of the section in a period of the gait; 0 without one", "1"),
+    ("hops", "Hops in a period of the gait; 0 without one", "1"),
+    ("revolutions", "Revolutions until the fate is decided", "1"),
+    ("mean_speed", "Mean velocity of the centre in the end, of gaits, rolling, rocking and rest", "m/s"),
+    ("final_hop_height", "Maximum gap in a period of the gait", "m"),
+    ("lyapunov", "Lyapunov exponent per passage of a motion that finds no gait", "1"),
+    ("final_loss", "Energy lost in all, where that is decided", "J"),
+)
 QUANTITIES: Mapping[str, Quantity] = {
-    quantity.name: quantity
-    for quantity in (
-        Quantity(SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
-        _code("status", "How the motion ended", STATUS_NAMES),
-        _code("ending", "What ended the span", kernel.ENDINGS),
-        _code("first_event", "First event after the start except the apex of a flight", EVENT_NAMES),
-        _code("hop", "Whether the rim leaves the plane", ("no", "yes")),
-        _code("painleve", "Whether Painlevé's paradox or the jam is met", ("no", "yes")),
-        _number("time", "Time to the end of the span, or to rest", "s"),
-        _number("end_angle", "Angle at the end of the span", "rad"),
-        _number("end_speed", "Speed of the centre along the plane at the end of the span", "m/s"),
-        _number("distance", "Displacement of the centre along the plane", "m"),
-        _number("distance_rolled", "Distance covered in rolling", "m"),
-        _number("revolutions_to_rolling", "Revolutions to the span's last phase, where that is rolling", "1"),
-        _number("energy_lost", "Energy lost in slip, in impacts and to rolling resistance", "J"),
-        _number(
-            "greatest_utilization", "Maximum friction utilization, abs(F)/(mu N) with mu_kinetic in slip, else mu_static", "1"
-        ),
-        _number("takeoff_time", "Time of the first take-off", "s"),
-        _number("takeoff_angle", "Angle at the first take-off", "rad"),
-        _number("hop_height", "Maximum gap in the first hop", "m"),
-        _number("flight_time", "Duration of the first hop", "s"),
-        _number("flight_distance", "Displacement of the centre in the first hop", "m"),
-        _number("landing_angle", "Angle at the landing of the first hop", "rad"),
-        _number("landing_loss", "Energy lost in the landing of the first hop", "J"),
-    )
+    SEQUENCE: Quantity(SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
+    **{name: Quantity(name, meaning, "", tuple(words), kernel.WORDS.index(name)) for name, meaning, words in _CODES},
+    **{name: Quantity(name, meaning, unit, (), kernel.NUMBERS.index(name)) for name, meaning, unit in _NUMBERS},
 }
-
-
-def _settled(name: str, meaning: str, unit: str) -> Quantity:
-    return Quantity(name, meaning, unit, (), settled.COLUMNS.index(name), True)
-
-
 SETTLED: Mapping[str, Quantity] = {
-    quantity.name: quantity
-    for quantity in (
-        Quantity("fate", "What becomes of the motion in the end", "", settled.WORDS, 0, True),
-        _settled("period", "Passages of the section in a period of the gait; 0 without one", "1"),
-        _settled("hops", "Hops in a period of the gait; 0 without one", "1"),
-        _settled("revolutions", "Revolutions until the fate is decided", "1"),
-        _settled("mean_speed", "Mean velocity of the centre in the end, of gaits, rolling, rocking and rest", "m/s"),
-        _settled("final_hop_height", "Maximum gap in a period of the gait", "m"),
-        _settled("lyapunov", "Lyapunov exponent per passage of a motion that finds no gait", "1"),
-        _settled("final_loss", "Energy lost in all, where that is decided", "J"),
-    )
+    "fate": Quantity("fate", "What becomes of the motion in the end", "", settled.WORDS, 0, True),
+    **{name: Quantity(name, meaning, unit, (), settled.COLUMNS.index(name), True) for name, meaning, unit in _SETTLED},
 }
 """Quantities of the spans `settled` and `settled:landing`."""
 
@@ -176,13 +163,13 @@ class Span(NamedTuple):
     timed: bool
 
 
-_FIXED = (
-    Span("first_revolution", 2.0 * math.pi, STOP_AT_TURN | STOP_AT_TAKEOFF, False),
-    Span("takeoff", math.nan, STOP_AT_TAKEOFF, True),
-    Span("reversal", math.nan, STOP_AT_TURN, True),
-    Span("duration", math.nan, 0, True),
-)
-SPANS = (*(span.name for span in _FIXED), "revolutions:N")
+_FIXED = {
+    "first_revolution": Span("first_revolution", 2.0 * math.pi, STOP_AT_TURN | STOP_AT_TAKEOFF, False),
+    "takeoff": Span("takeoff", math.nan, STOP_AT_TAKEOFF, True),
+    "reversal": Span("reversal", math.nan, STOP_AT_TURN, True),
+    "duration": Span("duration", math.nan, 0, True),
+}
+SPANS = (*_FIXED, "revolutions:N")
 
 
 def make_span(name: str, *, in_the_end: bool = False) -> Span:
@@ -201,31 +188,31 @@ def make_span(name: str, *, in_the_end: bool = False) -> Span:
     turns = number_after("revolutions", name)
     if turns > 0.0:
         return Span(name, 2.0 * math.pi * turns, 0, True)
-    for span in (*_FIXED, *(Span(end, math.nan, 0, False) for end in ends)):
-        if span.name == name:
-            return span
+    if name in ends:
+        return Span(name, math.nan, 0, False)
+    if name in _FIXED:
+        return _FIXED[name]
     raise InputError.of_field("span", name, f"one of {', '.join((*SPANS, *ends))}, with N above 0")
 
 
-def sequence_order(sequence: str) -> tuple[int, str]:
-    """Sort key that puts short sequences first."""
-    return len(sequence), sequence
+def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDArray[np.int32]]:
+    """Return the distinct rows along the last axis and the index of each row among them.
 
-
-def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDArray[np.int64]]:
-    """Return the distinct rows and the index of each row among them; of neighbours that are equal only one is looked up."""
-    first = np.flatnonzero(np.append(True, (keys[1:] != keys[:-1]).any(axis=1))[: len(keys)])
+    Of neighbours that are equal only one is looked up.
+    """
+    flat = keys.reshape(-1, keys.shape[-1])
+    first = np.flatnonzero(np.append(True, (flat[1:] != flat[:-1]).any(axis=1))[: len(flat)])
     known: dict[tuple[int, ...], int] = {}
-    place = np.array([known.setdefault(tuple(row), len(known)) for row in keys[first].tolist()], np.int64)
-    return list(known), np.repeat(place, np.diff(np.append(first, len(keys))))
+    place = np.array([known.setdefault(tuple(row), len(known)) for row in flat[first].tolist()], np.int32)
+    return list(known), np.repeat(place, np.diff(np.append(first, len(flat)))).reshape(keys.shape[:-1])
 
 
 def table_of(keys: Iterable[tuple[int, ...]]) -> tuple[list[str], dict[tuple[int, ...], int]]:
     """Return all sequences of a map, short ones first, and the code of each packed one; −1 for none."""
     texts = {key: unpacked_sequence(key) for key in keys}
-    names = sorted({text for text in texts.values() if text}, key=sequence_order)
-    place = {name: i for i, name in enumerate(names)}
-    return names, {key: place[text] if text else kernel.NOT_ALLOWED for key, text in texts.items()}
+    names = sorted({*texts.values()} - {""}, key=lambda text: (len(text), text))
+    place = {name: i for i, name in enumerate(names)} | {"": kernel.NOT_ALLOWED}
+    return names, {key: place[text] for key, text in texts.items()}
 
 
 def attributes(quantity: Quantity, sequences: Sequence[str] = ()) -> dict[str, Any]:

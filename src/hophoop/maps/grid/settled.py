@@ -25,8 +25,6 @@ def evaluate_settled(cells: NDArray[np.float64], low: int, high: int, span: str,
     """Compute the cells from `low` to `high`: numbers in the order of `COLUMNS`, and the code of the fate."""
     request = Request(SECTIONS.index(SPANS[span]), PASSAGES, FOREVER, PANELS, True)
     codes, numbers = judged(np.ascontiguousarray(cells[:, low:high]), request)
-    allowed = codes[:, CODES.index("fate")] >= 0
-    for column, name in enumerate(COUNTS):
-        results.numbers[low:high, column] = np.where(allowed, codes[:, CODES.index(name)], np.nan)
-    results.numbers[low:high, len(COUNTS) : len(COLUMNS)] = numbers
-    results.words[low:high, 0] = codes[:, CODES.index("fate")]
+    fates, counts = codes[:, CODES.index("fate")], codes[:, [CODES.index(name) for name in COUNTS]]
+    results.words[low:high, 0] = fates
+    results.numbers[low:high, : len(COLUMNS)] = np.column_stack([np.where(fates[:, np.newaxis] < 0, np.nan, counts), numbers])

@@ -11,7 +11,6 @@ chunks. A netCDF file has one of all its bytes.
 from __future__ import annotations
 
 import contextlib
-import itertools
 import json
 import os
 import shutil
@@ -58,12 +57,12 @@ def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, list[tup
         raise InputError(f"{path} exists already: choose another name, remove it, or resume it: --resume, resume=True.")
     _compare(path, plan)
     with contextlib.nullcontext() if is_complete(path) else _locked(path):
-        if is_complete(path):
-            yield plan, []
-        else:
+        todo: list[tuple[int, ...]] = []
+        if not is_complete(path):
             arrays = arrays_of(path, plan)
             plan = plan._replace(chunk=next(iter(arrays.values())).chunks[: len(plan.shape)])
-            yield plan, [index for index in np.ndindex(*plan.chunks) if not _is_written(path, arrays, index)]
+            todo = [index for index in np.ndindex(*plan.chunks) if not _is_written(path, arrays, index)]
+        yield plan, todo
     if is_complete(path):
         shutil.rmtree(path / UNFINISHED, ignore_errors=True)
 
@@ -93,7 +92,7 @@ def _compare(path: Path, plan: Plan) -> None:
     known = _attributes_of(path).get("plan")
     if known is None:
         raise InputError(f"{path} is not a map of hophoop.")
-    new = json.loads(plan.to_text())
+    new = plan.to_dict()
     try:
         old = dict(json.loads(known))
         version = old["hophoop"]
@@ -116,10 +115,7 @@ def _create(path: Path, plan: Plan) -> None:
             _write_axis(fresh, axis)
         (fresh / UNFINISHED).mkdir()
         for quantity in plan.quantities:
-            if quantity.name == SEQUENCE:
-                _create_array(fresh / UNFINISHED, plan, quantity, "u8", packed=True)
-            else:
-                _create_array(fresh, plan, quantity, quantity.dtype)
+            _create_array(fresh, plan, quantity)
         try:
             fresh.rename(path)
         except OSError:
@@ -139,23 +135,22 @@ def _write_axis(path: Path, axis: Axis) -> None:
     )
 
 
-def _create_array(
-    path: Path, plan: Plan, quantity: Quantity, dtype: str, names: Sequence[str] = (), *, packed: bool = False
-) -> Any:
+def _create_array(path: Path, plan: Plan, quantity: Quantity, sequences: Sequence[str] | None = None) -> Any:
     """Create the array of a quantity; every chunk gets a file, also where its values are all 0, and a checksum.
 
-    names: of the sequences; packed: for sequences that are packed into integers.
+    sequences: before they are known, sequences are packed into integers.
     """
-    zarr, more = need("zarr", "maps"), (INTEGERS,) if packed else ()
+    zarr, packed = need("zarr", "maps"), quantity.name == SEQUENCE and sequences is None
+    more = (INTEGERS,) if packed else ()
     return zarr.create_array(
-        str(path / quantity.name),
+        str(_folder(path, quantity.name) if packed else path / quantity.name),
         shape=plan.shape + more,
         chunks=plan.chunk + more,
-        dtype=dtype,
+        dtype="u8" if packed else quantity.dtype if sequences is None else code_type(sequences),
         fill_value=0 if packed else quantity.fill,
         compressors=[zarr.codecs.ZstdCodec(), zarr.codecs.Crc32cCodec()],
         dimension_names=None if packed else [axis.path for axis in plan.axes],
-        attributes=attributes(quantity, names),
+        attributes=attributes(quantity, sequences or ()),
         config=ALL_CHUNKS,
         overwrite=True,
     )
@@ -192,8 +187,8 @@ def _write_sequences(path: Path, plan: Plan, threads: int) -> None:
     packed = need("zarr", "maps").open_array(str(_folder(path, SEQUENCE)), mode="r")
     regions = [plan.region(index) for index in np.ndindex(*plan.chunks)]
     with ThreadPoolExecutor(threads) as pool:
-        names, codes = table_of(set().union(*pool.map(lambda region: distinct(packed[region]), regions)))
-        array = _create_array(path, plan, QUANTITIES[SEQUENCE], code_type(names), names)
+        names, codes = table_of(set().union(*pool.map(lambda region: distinct_rows(packed[region])[0], regions)))
+        array = _create_array(path, plan, QUANTITIES[SEQUENCE], names)
 
         def write(region: tuple[slice, ...]) -> None:
             array[region] = encode(packed[region], codes)
@@ -202,15 +197,10 @@ def _write_sequences(path: Path, plan: Plan, threads: int) -> None:
             pass
 
 
-def distinct(keys: NDArray[np.uint64]) -> set[tuple[int, ...]]:
-    """Return the distinct sequences of a block, packed into integers along its last axis."""
-    return set(distinct_rows(keys.reshape(-1, INTEGERS))[0])
-
-
 def encode(keys: NDArray[np.uint64], codes: Mapping[tuple[int, ...], int]) -> NDArray[np.int32]:
     """Return the codes of a block of packed sequences."""
-    rows, place = distinct_rows(keys.reshape(-1, INTEGERS))
-    return np.array([codes[row] for row in rows], np.int32)[place].reshape(keys.shape[:-1])
+    rows, place = distinct_rows(keys)
+    return np.array([codes[row] for row in rows], np.int32)[place]
 
 
 def code_type(names: Sequence[str]) -> str:
@@ -237,8 +227,7 @@ def attributes_of(axis: Axis) -> dict[str, Any]:
 
 def _provenance(plan: Plan) -> dict[str, Any]:
     """Return the attributes that describe how a map was made; no date, so that equal maps are equal files."""
-    text = plan.to_text()
-    data = json.loads(text)
+    data = plan.to_dict()
     return {
         "Conventions": "CF-1.11",
         "schema": SCHEMA,
@@ -247,11 +236,11 @@ def _provenance(plan: Plan) -> dict[str, Any]:
         "scenario": json.dumps(data["scenario"]),
         "span": plan.span.name,
         "tolerance": data["tolerance"],
-        "plan": text,
+        "plan": json.dumps(data),
     }
 
 
-def open_map(path: str | Path) -> Any:
+def open_map(path: str | Path) -> xarray.Dataset:
     """Open a map that `sweep` wrote.
 
     Parameters
@@ -279,16 +268,16 @@ def open_map(path: str | Path) -> Any:
         raise InputError(f"{place} is not complete: continue it with resume.")
     try:
         _check_whole(place)
-        dataset = with_words(_opened(place))
+        return with_words(opened(place))
     except InputError:
         raise
     except Exception as error:  # libraries raise many kinds of errors on malformed files
         lines = str(error).strip().splitlines() or [type(error).__name__]
         raise InputError(f"{place} cannot be read as a map of hophoop: {lines[0].rstrip('.: ')}.") from None
-    return dataset
 
 
-def _opened(place: Path, **options: Any) -> Any:
+def opened(place: Path, **options: Any) -> Any:
+    """Open a complete map as xarray reads it."""
     xarray = need("xarray", "maps")
     if place.suffix == ".nc":
         return xarray.open_dataset(place, engine="netcdf4", **options)
@@ -298,8 +287,8 @@ def _opened(place: Path, **options: Any) -> Any:
 
 def _checksum_of(place: Path) -> str:
     """Return the checksum of a map except for the values of its quantities, whose chunks have their own."""
-    with _opened(place, decode_cf=False) as dataset:
-        return checksum({"/": dataset}, without=[name for name in dataset.variables if name not in dataset.dims])
+    with opened(place, decode_cf=False) as dataset:
+        return checksum({"/": dataset}, without=list(dataset.data_vars))
 
 
 def _check_whole(place: Path) -> None:
@@ -307,9 +296,8 @@ def _check_whole(place: Path) -> None:
     damaged = f"{place} is damaged: its checksum is not that of its content."
     if place.suffix == ".nc" and is_broken(place):
         raise InputError(damaged)
-    with _opened(place, decode_cf=False) as dataset:
-        said = dict(dataset.attrs)
-        names = [name for name in dataset.variables if name not in dataset.dims]
+    with opened(place, decode_cf=False) as dataset:
+        said, names = dict(dataset.attrs), list(dataset.data_vars)
         if "plan" not in said:
             raise InputError(f"{place} is not a map of hophoop.")
         if said.get("schema") != SCHEMA:
@@ -330,21 +318,20 @@ def _check_chunks(place: Path, array: Any) -> None:
     """Refuse an array with a chunk that is missing, or that is not as it was written."""
     if array.nchunks_initialized != array.nchunks:
         raise InputError(f"{place} is damaged: a part of it is missing.")
-    starts = (range(0, size, step) for size, step in zip(array.shape, array.chunks, strict=True))
-    for corner in itertools.product(*starts):
+    for index in np.ndindex(array.cdata_shape):
         try:
-            array[tuple(slice(start, start + step) for start, step in zip(corner, array.chunks, strict=True))]
+            array.blocks[index]
         except Exception as error:  # of its codecs
             raise InputError(f"{place} is damaged: a part of {array.basename} is not as it was written.") from error
 
 
-def with_words(dataset: Any) -> Any:
+def with_words(dataset: xarray.Dataset) -> xarray.Dataset:
     """Return the dataset with words instead of codes along axes of words."""
-    dataset = dataset[json.loads(dataset.attrs["plan"])["quantities"]]
+    plan = json.loads(dataset.attrs["plan"])
+    dataset = dataset[plan["quantities"]]
     dataset.attrs.pop(CHECKSUM, None)  # of the file
-    for name in dataset.dims:
-        coordinate = dataset[name]
-        if "flag_meanings" in coordinate.attrs and coordinate.dtype.kind in "iu":
-            words = np.array(coordinate.attrs["flag_meanings"].split(" "))[coordinate.values]
-            dataset = dataset.assign_coords({name: (name, words, {"long_name": coordinate.attrs["long_name"]})})
+    for name, words in plan["axes"].items():
+        said = dataset[name].attrs
+        if "flag_meanings" in said:
+            dataset = dataset.assign_coords({name: (name, words, {"long_name": said["long_name"]})})
     return dataset

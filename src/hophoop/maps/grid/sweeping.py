@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,7 +20,7 @@ from hophoop.maps.grid import store
 from hophoop.maps.grid.chunks import check_address, compute_on_cluster, compute_on_threads
 from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, cores, make_plan
 from hophoop.maps.grid.memory import check_memory
-from hophoop.maps.grid.quantities import SEQUENCE, table_of
+from hophoop.maps.grid.quantities import SEQUENCE, distinct_rows, table_of
 from hophoop.scenario import InputError, Scenario
 
 if TYPE_CHECKING:
@@ -119,28 +118,27 @@ def sweep(
     file = Path(out)
     if file.suffix not in (".zarr", ".nc"):
         raise InputError.of_field("out", str(file), ".zarr or .nc", rule="must end in")
-    dataset: xarray.Dataset
     if file.suffix == ".nc" and file.exists():
         if not resume:
             raise InputError(f"{file} exists already: choose another name or remove it.")
-        dataset = store.open_map(file)
-        return dataset
+        return store.open_map(file)
     place = place_of(file)
     if place != file:  # netCDF is written at the end, all at once
         check_memory(plan.shape, 2 * kinds, "name a file that ends in .zarr")
     with store.begun(place, plan, resume) as (plan, todo), _reporting(progress, plan) as report:
         left = sum(math.prod(part.stop - part.start for part in plan.region(index)) for index in todo)
         report(math.prod(plan.shape) - left)
-        if todo and scheduler is not None:
-            compute_on_cluster(plan, store.arrays_of(place.resolve(), plan), todo, scheduler, report)
-        elif todo:
-            compute_on_threads(plan, store.arrays_of(place, plan), todo, threads, report)
+        if todo:
+            arrays = store.arrays_of(place.resolve(), plan)
+            if scheduler is None:
+                compute_on_threads(plan, arrays, todo, threads, report)
+            else:
+                compute_on_cluster(plan, arrays, todo, scheduler, report)
         if not store.is_complete(place):
             store.finish(place, plan, threads or cores())
     if file.suffix == ".nc":
         _to_netcdf(place, file)
-    dataset = store.open_map(file)
-    return dataset
+    return store.open_map(file)
 
 
 def place_of(file: Path) -> Path:
@@ -149,36 +147,38 @@ def place_of(file: Path) -> Path:
 
 
 class _Sequences:
-    """Sequences in memory: codes in the order in which threads find them, and the code of each packed sequence."""
+    """Sequences in memory: of each chunk its region, its packed sequences, and of each cell the index among them."""
 
-    def __init__(self, shape: tuple[int, ...]) -> None:
-        self.codes, self.table = np.empty(shape, np.int32), dict[tuple[int, ...], int]()
-        self.lock = Lock()
+    def __init__(self) -> None:
+        self.chunks: list[Any] = []
 
     def __setitem__(self, region: tuple[slice, ...], keys: NDArray[np.uint64]) -> None:
-        with self.lock:
-            for key in store.distinct(keys):
-                self.table.setdefault(key, len(self.table))
-        self.codes[region] = store.encode(keys, self.table)
+        self.chunks.append((region, *distinct_rows(keys)))
+
+    def coded(self, shape: tuple[int, ...]) -> tuple[list[str], NDArray[Any]]:
+        """Return all sequences, and the code of each cell."""
+        names, codes = table_of({row for _, rows, _ in self.chunks for row in rows})
+        found = np.empty(shape, store.code_type(names))
+        for region, rows, place in self.chunks:
+            found[region] = np.array([codes[row] for row in rows])[place]
+        return names, found
 
 
 def _in_memory(plan: Plan, threads: int | None, report: Callable[[int], None]) -> xarray.Dataset:
     targets: dict[str, Any] = {
-        quantity.name: _Sequences(plan.shape) if quantity.name == SEQUENCE else np.empty(plan.shape, quantity.dtype)
+        quantity.name: _Sequences() if quantity.name == SEQUENCE else np.empty(plan.shape, quantity.dtype)
         for quantity in plan.quantities
     }
     compute_on_threads(plan, targets, np.ndindex(*plan.chunks), threads, report)
     names: list[str] = []
     if SEQUENCE in targets:
-        table, found = targets[SEQUENCE].table, targets[SEQUENCE].codes
-        names, codes = table_of(table)
-        targets[SEQUENCE] = np.array([codes[key] for key in table], store.code_type(names))[found]
+        names, targets[SEQUENCE] = targets[SEQUENCE].coded(plan.shape)
     return store.dataset_of(plan, targets, names)
 
 
 def _to_netcdf(place: Path, file: Path) -> None:
     need("netCDF4", "maps")
-    dataset = need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False)
+    dataset = store.opened(place)
     with replacing(file) as fresh:
         with netcdf_errors(fresh):
             dataset.to_netcdf(fresh, engine="netcdf4")
