@@ -56,7 +56,7 @@ def held(track):
     rest = 18
     names = {name for name, _, _ in COLUMNS.values()} - {"t"}
     both = {name: np.concatenate([np.repeat(getattr(track, name)[:1], rest, axis=0), getattr(track, name)]) for name in names}
-    return replace(track, **both, t=np.arange(rest + len(track.t)) / 60.0, state=("found",) * rest + track.state)
+    return replace(track, **both, t=np.arange(rest + len(track.t)) / 60.0)
 
 
 def sideways(track):

@@ -251,6 +251,12 @@ def test_a_run_with_times_of_its_own_is_chosen_by_them(tmp_path):
     assert read_track(file, Reading(columns={"t": "4"})).t == pytest.approx(2.0 * T, abs=1e-6)
 
 
+def test_a_marker_alone_is_no_centre(tmp_path):
+    track = read_track(table(tmp_path, "Zeit;Gewicht/0/X;Gewicht/0/Y", T, LOAD_X, LOAD_Y, separator=";"))
+    assert np.isnan(track.centre).all()
+    assert track.marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
+
+
 def test_axes_of_an_accelerometer_are_no_places(tmp_path, ask):
     rng = np.random.default_rng(1)
     noise = [9.8 * (k == 1) + rng.normal(scale=0.01, size=40) for k in range(3)]

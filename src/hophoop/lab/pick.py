@@ -125,11 +125,11 @@ def clicked(said: Any, stills: list[Picture], hints: Hints) -> Hints:
         raise InputError("The clicks cannot be read.") from None
     if len(rim) < 3:
         raise InputError(f"{len(rim)} points on the rim are not enough: click at least 3.")
-    (x, y, radius), _ = fit_circle(rim)
+    (centre, radius), _ = fit_circle(rim @ [1.0, 1.0j])
     wide, tall = still.size
-    if not (np.isfinite([x, y, radius]).all() and 5 < radius < 2 * max(wide, tall)):
+    if not (np.isfinite([centre, radius]).all() and 5 < radius < 2 * max(wide, tall)):
         raise InputError("The points on the rim do not lie on a circle.")
-    values: dict[str, Any] = {"centre": (x, y), "rim": radius, "at": still.t}
+    values: dict[str, Any] = {"centre": (centre.real, centre.imag), "rim": radius, "at": still.t}
     if spot is not None:
         values["marker_color"] = colour_at(rgb(still), spot[0], spot[1])
     if len(ground) == 2:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from hophoop._support.extras import need
-from hophoop.tracking.circle import fit_circle
+from hophoop.tracking.circle import Complexes, fit_circle
 from hophoop.tracking.scatter import spread
 
 Floats = NDArray[np.float64]
@@ -96,15 +96,25 @@ def _through(matrix: Floats, points: Floats) -> Floats:
     return np.asarray(seen[..., :2] / seen[..., 2:])
 
 
-def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool, blur: Floats) -> Camera:
+def pairs(points: Complexes) -> Floats:
+    """Return coordinates, shape (n, 2), of points in the complex plane."""
+    return np.stack([points.real, points.imag], axis=-1)
+
+
+def flat(camera: Camera, pixels: Complexes) -> Complexes:
+    """Return the points of the plane at pixels, both in the complex plane."""
+    return np.asarray(camera.to_plane(pairs(pixels)) @ [1.0, 1.0j])
+
+
+def fit_camera(camera: Camera, edges: list[Complexes], focal_known: bool, blur: Floats) -> Camera:
     """Find the tilt with which all images of one circle have the same radius.
 
-    camera: the picture's size and an initial focal length; edges: shape (n, 2), points of the rim in several pictures [pixel];
+    camera: the picture's size and an initial focal length; edges: points of the rim in several pictures [pixel];
     focal_known: whether the focal length is known; blur: way of the hoop during the exposure of each picture [pixel]; camera:
     as given if no tilt is significant.
     """
     edges = [points[:: max(1, len(points) // 60)] for points in edges]
-    steps = [np.diff(fit_circle(camera.to_plane(points))[1]) for points in edges]  # a tilt hardly changes them
+    steps = [np.diff(fit_circle(flat(camera, points))[1]) for points in edges]  # a tilt hardly changes them
     scatter = max(spread(np.concatenate(steps)) / float(np.sqrt(2.0)), 0.05)
     # blur and coding add an error of the radius to that of its points, and make an oval of the picture of a rim
     count, wider = np.array([len(points) for points in edges]), BLURRED * blur
@@ -133,10 +143,10 @@ def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool, blur: Flo
     return of(best.x) if cost(np.zeros(3)) - 2.0 * best.cost > WORTH else camera
 
 
-def _shape(camera: Camera, points: Floats) -> tuple[float, complex, Floats]:
+def _shape(camera: Camera, points: Complexes) -> tuple[float, complex, Floats]:
     """Radius of the circle through points of the picture, amplitude of its oval, and the distances of the points from that."""
-    flat = camera.to_plane(points)
-    circle, off = fit_circle(flat)
-    twice = np.exp(2j * np.arctan2(*(flat - circle[:2]).T))
+    planar = flat(camera, points)
+    circle, off = fit_circle(planar)
+    twice = np.exp(2j * np.angle(planar - circle.centre))
     oval = 2.0 * (off * twice.conj()).mean()
     return circle.radius, complex(oval), off - (oval * twice).real

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from hophoop.tracking.scatter import spread
 
 Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 
 BINS = 72  # of the circumference
 UNKNOWN = 0.0, np.inf  # radius, and its error [pixel]
@@ -17,39 +18,38 @@ ROUND = 0.0, 0.0, 1e-6  # amplitudes of a circle that is no oval, and their erro
 
 
 class Circle(NamedTuple):
-    """A circle in the plane or the picture [pixel]."""
+    """A circle in the plane or the picture, which are complex planes: x + i y, or column + i row [pixel]."""
 
-    x: float
-    y: float
+    centre: complex
     radius: float
 
 
-def fit_circle(points: Floats) -> tuple[Circle, Floats]:
+def fit_circle(points: Complexes) -> tuple[Circle, Floats]:
     """Fit a circle by algebraic least squares, which are those of the distances where the points are near a circle.
 
-    points: shape (n, 2), at least three [pixel]; off: shape (n,), distance of each point from the circle, positive outside
+    points: shape (n,), at least three [pixel]; off: shape (n,), distance of each point from the circle, positive outside
     [pixel].
     """
-    shift = points.mean(axis=0)
+    shift = points.mean()
     near = points - shift
-    design = np.column_stack([2.0 * near, np.ones(len(near))])
-    x, y, square = np.linalg.lstsq(design, (near**2).sum(axis=1), rcond=None)[0].tolist()
+    design = np.column_stack([2.0 * near.real, 2.0 * near.imag, np.ones(len(near))])
+    x, y, square = np.linalg.lstsq(design, np.abs(near) ** 2, rcond=None)[0].tolist()
     radius = float(np.sqrt(max(square + x * x + y * y, 1e-12)))
-    return Circle(x + float(shift[0]), y + float(shift[1]), radius), np.hypot(*(near - (x, y)).T) - radius
+    return Circle(complex(shift) + complex(x, y), radius), np.abs(near - complex(x, y)) - radius
 
 
 class CircleFit(NamedTuple):
     """A robust fit of a circle to edges."""
 
     circle: Circle
-    covariance: Floats  # of x, y and radius [pixel²]
+    covariance: Floats  # of centre's real and imaginary part and radius [pixel²]
     inside: NDArray[np.bool_]  # points on the circle
     spread: float  # of those points about it [pixel]
     oval: tuple[float, float]  # amplitudes of the cosine and sine, twice around, of its radius [pixel]
 
 
 def robust_circle(
-    points: Floats,
+    points: Complexes,
     start: Circle,
     reach: float,
     expected: tuple[float, float] = UNKNOWN,
@@ -57,18 +57,20 @@ def robust_circle(
 ) -> CircleFit | None:
     """Fit a circle geometrically to most of the points, with Tukey's weights.
 
-    points shape (n, 2) [pixel]; reach: points further than this from the start are ignored [pixel]; expected: known radius and
+    points shape (n,) [pixel]; reach: points further than this from the start are ignored [pixel]; expected: known radius and
     its error, for a fit to a part of the rim [pixel]; oval: expected amplitudes and their error, for the ellipse that is the
     picture of a tilted circle [pixel]; fit: None if the points are not on a circle.
     """
-    found, goal = np.array([*start, *oval[:2]]), np.array([0.0, 0.0, expected[0], *oval[:2]])
+    found = np.array([start.centre.real, start.centre.imag, start.radius, *oval[:2]])
+    goal = np.array([0.0, 0.0, expected[0], *oval[:2]])
     hold = np.array([np.inf, np.inf, expected[1], oval[2], oval[2]]) ** -2.0
     width = reach
     for _ in range(10):
-        away = points - found[:2]
-        distance = np.maximum(np.hypot(*away.T), 1e-9)
-        cos, sin = away.T / distance
-        jacobian = np.stack([cos, sin, np.ones(len(points)), cos**2 - sin**2, 2.0 * cos * sin], axis=-1)
+        away = points - complex(*found[:2])
+        distance = np.maximum(np.abs(away), 1e-9)
+        way = away / distance
+        twice = way**2
+        jacobian = np.stack([way.real, way.imag, np.ones(len(points)), twice.real, twice.imag], axis=-1)
         off = distance - jacobian[:, 2:] @ found[2:]
         near = np.abs(off) < width
         if near.sum() < 8:
@@ -88,22 +90,20 @@ def robust_circle(
             break
     covariance = np.asarray(scatter**2 * np.linalg.inv(normal)[:3, :3], dtype=float)
     x, y, radius, cos2, sin2 = found.tolist()
-    return CircleFit(Circle(x, y, radius), covariance, weight > 0.0, scatter, (cos2, sin2))
+    return CircleFit(Circle(complex(x, y), radius), covariance, weight > 0.0, scatter, (cos2, sin2))
 
 
 def ransac_circles(
-    points: Floats, sizes: tuple[float, float], picture: tuple[int, int], rng: np.random.Generator, draws: int = 240
+    points: Complexes, sizes: tuple[float, float], picture: tuple[int, int], rng: np.random.Generator, draws: int = 240
 ) -> list[tuple[float, Circle]]:
     """Find circles through three random points (RANSAC), those with most points on their circumference first.
 
-    points shape (n, 2) [pixel]; sizes: minimum and maximum radius [pixel]; picture: width and height; only the circumference
-    inside counts [pixel]; draws: number of triples [1]; found: covered share of the circumference [1], and the circle; at most
-    three separate ones.
+    points shape (n,) [pixel]; sizes: minimum and maximum radius [pixel]; picture: height and width; only the circumference
+    inside counts [pixel]; draws: number of triples [1]; found: covered share of the circumference [1], and the circle.
     """
     if len(points) < 12:
         return []
-    z = points @ [1.0, 1.0j]  # in the complex plane
-    a, b, c = z[rng.integers(0, len(z), (draws, 3))].T
+    a, b, c = points[rng.integers(0, len(points), (draws, 3))].T
     with np.errstate(divide="ignore", invalid="ignore"):  # three points on a line
         ratio = (c - a) / (b - a)
         centre = a + (b - a) * (ratio - np.abs(ratio) ** 2) / (2.0j * ratio.imag)
@@ -111,16 +111,10 @@ def ransac_circles(
     fair = (radius > sizes[0]) & (radius < sizes[1])
     around = np.exp(2.0j * np.pi * np.arange(BINS) / BINS)
     found = []
-    for middle, size in zip(centre[fair], radius[fair], strict=True):
-        away, rim = z - middle, middle + size * around
+    for middle, size in zip(centre[fair].tolist(), radius[fair].tolist(), strict=True):
+        away, rim = points - middle, middle + size * around
         near = np.abs(np.abs(away) - size) < max(1.2, 0.015 * size)
-        covered = np.unique(np.round(np.angle(away[near]) * BINS / (2.0 * np.pi)) % BINS)
-        seen = (rim.real >= 0) & (rim.real < picture[0]) & (rim.imag >= 0) & (rim.imag < picture[1])
-        share = seen[covered.astype(int)].sum() / max(seen.sum(), 0.25 * BINS)
-        found.append((float(share), Circle(middle.real, middle.imag, size)))
-    result: list[tuple[float, Circle]] = []
-    for share, one in sorted(found, reverse=True):
-        apart = (np.hypot(one.x - old.x, one.y - old.y) + abs(one.radius - old.radius) for _, old in result)
-        if len(result) < 3 and all(distance > 0.1 * one.radius for distance in apart):
-            result.append((share, one))
-    return result
+        covered = np.unique(np.round(np.angle(away[near]) * BINS / (2.0 * np.pi)).astype(int) % BINS)
+        seen = (rim.real >= 0) & (rim.real < picture[1]) & (rim.imag >= 0) & (rim.imag < picture[0])
+        found.append((float(seen[covered].sum() / max(seen.sum(), 0.25 * BINS)), Circle(middle, size)))
+    return sorted(found, key=lambda pair: -pair[0])

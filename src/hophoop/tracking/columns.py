@@ -17,11 +17,9 @@ from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
 from hophoop.tracking.dialects import (
-    CENTRE,
     COMMA_WORDS,
     HEADS,
     KNOWN_UNITS,
-    MARKER,
     NAMES,
     NO_POSITION,
     OTHER_UNITS,
@@ -197,21 +195,10 @@ def heads(above: list[list[str]]) -> list[Column]:
         [point if name else "" for name, point in zip(names, points, strict=True)],
     )
     meanings = NAMES | ({"time": ""} if "seconds_elapsed" in names else {})  # of Sensor Logger
-    found = [
+    return [
         _head(Column(k, f"{point} {name}".strip(), point), name, unit, meanings)
         for k, (name, point, unit) in enumerate(zip_longest(names, points, below[: len(names)], fillvalue=""), 1)
     ]
-    return _one_point(found)
-
-
-def _one_point(found: list[Column]) -> list[Column]:
-    """Return columns of which an x and a y alone, such as place x and height y, are one point without a name."""
-    places = [column for column in found if column.quantity in ("x", "y")]
-    if [column.quantity for column in places] != ["x", "y"] or any(
-        re.search(f"{CENTRE}|{MARKER}", one.point) for one in places
-    ):
-        return found
-    return [replace(column, point="") if column in places else column for column in found]
 
 
 def _head(column: Column, name: str, below: str, meanings: dict[str, str]) -> Column:
@@ -388,20 +375,20 @@ def apart(found: list[Column], comments: list[str]) -> list[Column]:
 
     comments: above each row, which may name the object.
     """
-    keys = [column for quantity in ("t", "frame") for column in found if column.quantity == quantity]
-    if not keys or len(set(keys[0].values)) == len(keys[0].values):
+    key = next((column for quantity in ("t", "frame") for column in found if column.quantity == quantity), None)
+    if key is None or len(set(key.values)) == len(key.values):
         return found
-    times = np.unique(keys[0].values)
-    numbers = [column for column in found if column not in keys and not column.words]
+    times = np.unique(key.values)
+    numbers = [column for column in found if column.quantity not in ("t", "frame") and not column.words]
     named = [list(map("{:g}".format, column.values)) for column in numbers if column.quantity == "object"]
     for labels in (comments, *(column.words for column in found if column.words), *named):
         kinds = list(dict.fromkeys(labels))
-        if len(set(zip(keys[0].values, labels, strict=True))) < len(labels) or not 1 < len(kinds) <= len(labels) / 3:
+        if len(set(zip(key.values, labels, strict=True))) < len(labels) or not 1 < len(kinds) <= len(labels) / 3:
             continue
-        split_up = [replace(keys[0], values=times)]
+        split_up = [replace(key, values=times)]
         for kind in kinds:
             own = np.array(labels) == kind
-            rows = np.searchsorted(times, keys[0].values[own])
+            rows = np.searchsorted(times, key.values[own])
             for column in numbers:
                 values = np.full(len(times), np.nan)
                 values[rows] = column.values[own]

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+Complexes = NDArray[np.complex128]
 
 LEAST_TURN = 0.25  # minimum rotation of a marker per radius that the hoop goes; rolling has 1, a skid less [rad]
 MOSTLY = 0.5  # minimum share of the frames in which a marker is visible, and of a rim that is seen in half of the frames
@@ -22,53 +23,43 @@ FEWEST = 3  # repeated pictures that are no accident
 DOUBT = "Doubtful: "
 
 
-def doubt_hoop(circle: Floats, agreement: Floats, step: float, radius: float, tilt: tuple[float, float]) -> list[str]:
+def doubt_hoop(centre: Complexes, agreement: Floats, step: float, radius: float, tilt: float) -> list[str]:
     """Doubt that the circles are those of a hoop.
 
-    circle: shape (n, 3), centres and radii, nan where lost [pixel]; agreement: shape (n,), share of the rim that is seen [1];
-    step: usual time between frames [s]; radius: of the hoop [m]; tilt: of the plane of motion, found in the film [rad].
+    centre: shape (n,), in the complex plane, nan where lost, over the radius [1]; agreement: shape (n,), share of the rim that
+    is seen [1]; step: usual time between frames [s]; radius: of the hoop [m]; tilt: of the plane of motion [rad].
     """
-    there = np.isfinite(circle[:, 0])
-    size = np.median(circle[there, 2])
-    steps = np.diff(circle[:, :2], axis=0) / size
-    ways, changes = np.hypot(*steps.T), np.hypot(*np.diff(steps, axis=0).T)
-    said = []
-    seen = float(np.median(agreement[there]))
-    if seen < MOSTLY:
-        said.append(f"only {100 * seen:.0f} % of a rim are seen in half of the frames")
+    ways, changes = np.abs(np.diff(centre)), np.abs(np.diff(centre, 2))
+    seen = float(np.nanmedian(agreement))
+    said = [f"only {100 * seen:.0f} % of a rim are seen in half of the frames"] if seen < MOSTLY else []
     if np.isfinite(changes).any() and np.nanmedian(changes) > max(UNSTEADY, 0.5 * np.nanmedian(ways)):
         said.append("the circle jumps back and forth")
-    if np.isfinite(ways).any():
-        speed = float(np.nanquantile(ways, 0.9)) * radius / step
-        if speed > FAST * np.sqrt(GRAVITY * radius):
-            said.append(f"it moves at {speed:.0f} m/s")
-    if said and max(map(abs, tilt)) > np.radians(STEEP):
-        said.append(f"its plane is tilted by {np.degrees(max(map(abs, tilt))):.0f}°")
+    speed = radius / step * float(np.nanquantile(ways, 0.9)) if np.isfinite(ways).any() else 0.0
+    if speed > FAST * np.sqrt(GRAVITY * radius):
+        said.append(f"it moves at {speed:.0f} m/s")
     if not said:
         return []
+    if np.degrees(tilt) > STEEP:
+        said.append(f"its plane is tilted by {np.degrees(tilt):.0f}°")
     return [f"{DOUBT}perhaps this is no hoop: {', and '.join(said)}. Look at the overlay, and show the hoop by --pick."]
 
 
 def doubt_marker(x: Floats, angle: Floats) -> list[str]:
     """Doubt that the patch taken for the marker turns with the hoop, from positions in radii and angles."""
     there, marked = int(np.isfinite(x).sum()), np.isfinite(angle)
-    advice = "Look at the overlay, and give the marker's colour (--marker-color) or use --marker-color none."
-    if marked.any():
-        distance, turned = float(np.ptp(x[marked])), float(np.ptp(angle[marked]))
-        if distance > 1.0 and turned < LEAST_TURN * distance:
-            return [
-                f"{DOUBT}the hoop moves by {distance:.1f} radii while the patch taken for the marker turns by "
-                f"{turned:.2f} rad. {advice}"
-            ]
-    if marked.sum() < MOSTLY * there:
-        return [f"{DOUBT}the marker is visible in only {int(marked.sum())} of {there} frames with the hoop. {advice}"]
-    return []
+    distance, turned = (float(np.ptp(values[marked])) if marked.any() else 0.0 for values in (x, angle))
+    if distance > 1.0 and turned < LEAST_TURN * distance:
+        said = f"the hoop moves by {distance:.1f} radii while the patch taken for the marker turns by {turned:.2f} rad"
+    elif marked.sum() < MOSTLY * there:
+        said = f"the marker is visible in only {int(marked.sum())} of {there} frames with the hoop"
+    else:
+        return []
+    return [f"{DOUBT}{said}. Look at the overlay, and give the marker's colour (--marker-color) or use --marker-color none."]
 
 
-def steps_of(circle: Floats, angle: Floats) -> Floats:
-    """Distance that the rim goes from one frame to the next, shape (n − 1,), nan where it is lost [pixel]."""
-    turned = np.nan_to_num(np.diff(angle)) * np.nanmedian(circle[:, 2])
-    steps: Floats = np.hypot(np.hypot(*np.diff(circle[:, :2], axis=0).T), turned)
+def steps_of(centre: Complexes, angle: Floats, radius: float) -> Floats:
+    """Distance that the rim goes from one frame to the next, shape (n − 1,), nan where it is lost; radius [pixel]."""
+    steps: Floats = np.hypot(np.abs(np.diff(centre)), radius * np.nan_to_num(np.diff(angle)))
     return steps
 
 
@@ -92,37 +83,39 @@ def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
     if len(waits) < 12:
         return []
     usual = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(waits, 2, mode="edge"), 5), axis=1)
-    slow = usual > np.sqrt(usual.min() * usual.max())
     if usual.max() > CHANGED * usual.min():
-        change = t[int(np.flatnonzero(slow != slow[0])[0])]
+        slow = usual > np.sqrt(usual.min() * usual.max())
         fast = f"{1 / usual.min():.0f}"
         return [
             f"{DOUBT}the film plays at two speeds, {fast} and {1 / usual.max():.0f} frames per second, "
-            f"which change at {change:.3f} s. "
+            f"which change at {t[np.argmax(slow != slow[0])]:.3f} s. "
             f"If it was taken at one rate, give that, such as --rate {fast}; otherwise keep to one part by --from and --to."
         ]
     said = []
-    count, freezes = int(again.sum()), _double_after(steps, again)
-    if count >= FEWEST and not freezes:
+    count = int(again.sum())
+    if count >= FEWEST and not _double_after(steps, again):
         rate = (len(t) - 1 - count) / (t[-1] - t[0])
         said.append(
-            f"{DOUBT}{count} of {len(t)} pictures repeat the one before, the first at {t[int(again.argmax())]:.3f} s: the film "
+            f"{DOUBT}{count} of {len(t)} pictures repeat the one before, the first at {t[again.argmax()]:.3f} s: the film "
             f"was converted to another rate. Give the rate at which it was taken, about --rate {rate:.0f}."
         )
-    elif again.any():
+    elif count:
         said.append(f"{count} pictures that repeat the one before are left out.")
     gaps = waits > CHANGED * usual
     if gaps.any():
-        missing, after = int(np.round(waits[gaps] / usual[gaps] - 1).sum()), t[int(gaps.argmax())]
-        said.append(f"{missing} pictures are missing in the film, the first after {after:.3f} s; its times allow for that.")
+        missing = np.round(waits[gaps] / usual[gaps] - 1).sum()
+        said.append(
+            f"{missing:.0f} pictures are missing in the film, the first after {t[gaps.argmax()]:.3f} s; "
+            "its times allow for that."
+        )
     speeds = steps / waits
-    beside = np.maximum(speeds[:-2], speeds[2:])
-    leaps = (speeds[1:-1] > CHANGED * beside) & (np.minimum(steps[:-2], steps[2:]) > MOVES) & ~again[1:-2] & ~gaps[1:-1]
+    ratio = speeds[1:-1] / np.maximum(speeds[:-2], speeds[2:])
+    leaps = (ratio > CHANGED) & (np.minimum(steps[:-2], steps[2:]) > MOVES) & ~again[1:-2] & ~gaps[1:-1]
     if leaps.any():
         k = int(leaps.argmax()) + 1
         said.append(
             f"{DOUBT}between {t[k]:.3f} s and {t[k + 1]:.3f} s the hoop goes {steps[k]:.1f} pixels, "
-            f"{speeds[k] / beside[k - 1]:.1f} times as fast as before and after. Look at the overlay there: if pictures are "
+            f"{ratio[k - 1]:.1f} times as fast as before and after. Look at the overlay there: if pictures are "
             "missing, keep to one side by --from or --to."
         )
     return said

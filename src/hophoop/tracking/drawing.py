@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.table import LOST, Track, View
+from hophoop.tracking.table import Track, View
 from hophoop.tracking.video import Picture, open_writer, pictures, rgb
 
 Floats = NDArray[np.float64]
@@ -41,19 +41,17 @@ def draw(pen: Any, view: View, radius: float, centre: Floats, angle: float, colo
     angle: angle of the marker; nan if unknown [rad]; colour: colour of the rim [1]; dashes: number of gaps in the rim [1].
     """
     around = np.linspace(0.0, 2 * np.pi, 91)
-    rim = centre + radius * np.stack([np.sin(around), np.cos(around)], axis=-1)
-    pieces = np.array_split(rim, 2 * dashes)[::2] if dashes else [rim]
-    for piece in pieces:
-        curve(pen, view.to_picture(piece, radius), colour)
-    cross = 0.06 * radius
-    for along in ((cross, 0.0), (0.0, cross)):
-        curve(pen, view.to_picture(np.array([centre - along, centre + along]), radius), colour, 1)
+    circle = np.stack([np.sin(around), np.cos(around)], axis=-1)
+    rim = centre + radius * circle
+    lines = [(piece, colour, 2) for piece in (np.array_split(rim, 2 * dashes)[::2] if dashes else [rim])]
+    cross = 0.06 * radius * np.array([[[-1, 0], [1, 0]], [[0, -1], [0, 1]]])
+    lines += [(centre + line, colour, 1) for line in cross]
     if np.isfinite(angle):
         reach = radius * (view.marker_ratio if np.isfinite(view.marker_ratio) else 1.0)
         tip = centre + reach * np.array([np.sin(angle), np.cos(angle)])
-        curve(pen, view.to_picture(np.array([centre, tip]), radius), MARK)
-        small = tip + 0.05 * radius * np.stack([np.sin(around), np.cos(around)], axis=-1)
-        curve(pen, view.to_picture(small, radius), MARK)
+        lines += [(np.array([centre, tip]), MARK, 2), (tip + 0.05 * radius * circle, MARK, 2)]
+    for points, paint, width in lines:
+        curve(pen, view.to_picture(points, radius), paint, width)
 
 
 def _draw_frame(picture: Picture, track: Track, row: int, model: tuple[Floats, Floats] | None) -> Any:
@@ -62,9 +60,10 @@ def _draw_frame(picture: Picture, track: Track, row: int, model: tuple[Floats, F
     pen = need("PIL.ImageDraw", "track").Draw(image)
     view = track.view
     assert view is not None
-    span = np.linspace(np.nanmin(track.centre[:, 0]) - 3 * track.radius, np.nanmax(track.centre[:, 0]) + 3 * track.radius, 60)
+    x = track.centre[track.found, 0]
+    span = np.linspace(x.min() - 3 * track.radius, x.max() + 3 * track.radius, 60)
     curve(pen, view.to_picture(np.stack([span, 0.0 * span], axis=-1), track.radius), GROUND, 1)
-    if track.state[row] == LOST:
+    if np.isnan(track.centre[row, 0]):
         pen.rectangle((0, 0, image.width - 1, image.height - 1), outline=GONE, width=max(4, image.width // 160))
     else:
         draw(pen, view, track.radius, track.centre[row], track.angle[row])

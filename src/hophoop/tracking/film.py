@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.tracking.camera import pairs
 from hophoop.tracking.doubts import DOUBT, doubt_hoop, doubt_marker
 from hophoop.tracking.ground import LEAST_ERROR, Ground, ground_line, line_through
 from hophoop.tracking.hints import Hints, require_above_0
@@ -62,29 +63,27 @@ def track(
 
 def _track(places: Places, seen: Seen, hints: Hints, radius: float, source: str) -> Track:
     """Convert rectified pixels to metres along and above the plane; radius [m]; source: name of the film."""
-    camera, circle, reach = places.camera, places.circle, places.reach
+    camera, reach, size = places.camera, places.reach, places.radius
     there, marked = np.isfinite(places.agreement), np.isfinite(reach)
-    size = float(np.median(circle[there, 2]))
-    scale = size / radius
+    scale, centres = size / radius, pairs(places.centre)
     if hints.ground is not None:
         line = line_through(camera.to_plane(np.reshape(hints.ground, (2, 2))), size)
     else:
-        line = ground_line(circle[there, :2], np.sqrt(places.covariance[there, 2]), size)
+        line = ground_line(centres[there], np.sqrt(places.covariance[there, 1, 1]), size)
     turn, base = along(line.angle), np.array([line.x, line.y])
-    origin = base + ((circle[there][0, :2] - base) @ turn[0]) * turn[0]
-    place = (circle[:, :2] - origin) @ turn.T / scale + [0.0, radius]
-    variances = np.einsum("ik,nkl,il->ni", turn, places.covariance[:, [[0, 1], [1, 2]]], turn)
-    error = np.sqrt(variances + LEAST_ERROR**2) / scale
+    origin = base + ((centres[there][0] - base) @ turn[0]) * turn[0]
+    place = (centres - origin) @ turn.T / scale + [0.0, radius]
+    error = np.sqrt(np.einsum("ik,nkl,il->ni", turn, places.covariance, turn) + LEAST_ERROR**2) / scale
     angle, across = places.angle + line.angle, _marker_error(places, error.mean(axis=1) * scale)
     marker = place + (reach / scale * [np.sin(angle), np.cos(angle)]).T
-    pixel = camera.to_picture(circle[:, :2])
+    pixel = camera.to_picture(centres)
     columns: dict[str, Floats] = {
         "x": place[:, 0], "y": place[:, 1], "sigma_x": error[:, 0], "sigma_y": error[:, 1],
         "angle": angle, "sigma_angle": across / reach,
         "marker_x": marker[:, 0], "marker_y": marker[:, 1],
         "sigma_marker": np.hypot(across / scale, error.mean(axis=1)),
         "column": pixel[:, 0], "row": pixel[:, 1],
-        "marker_column": places.marker_pixel[:, 0], "marker_row": places.marker_pixel[:, 1],
+        "marker_column": places.marker_pixel.real, "marker_row": places.marker_pixel.imag,
     }  # fmt: skip
     chroma = None if seen.chroma is None else (seen.chroma.real, seen.chroma.imag)
     view = View(
@@ -93,7 +92,8 @@ def _track(places: Places, seen: Seen, hints: Hints, radius: float, source: str)
         hints.exposure, hints.row_delay, hints.rate, SCALE_ERROR / size, line.height_error / scale, line.angle_error,
         seen.first,
     )  # fmt: skip
-    doubts = doubt_hoop(circle, places.agreement, float(np.median(np.diff(places.t))), radius, places.tilt) or places.notes
+    step, tilt = float(np.median(np.diff(places.t))), max(abs(camera.tilt_x), abs(camera.tilt_y))
+    doubts = doubt_hoop(places.centre / size, places.agreement, step, radius, tilt) or places.notes
     if chroma is not None:
         doubts += doubt_marker(place[:, 0] / radius, angle)
     slope, slope_error = hints.slope, float("nan")
@@ -122,8 +122,9 @@ def _marker_error(places: Places, least: Floats) -> Floats:
 
 
 def _notes(places: Places, with_marker: bool, line: Ground, hints: Hints) -> tuple[str, ...]:
-    notes, circle, there = [], places.circle, np.isfinite(places.circle[:, 0])
+    notes, there = [], np.isfinite(places.agreement)
     lost, bare = int((~there).sum()), int((there & np.isnan(places.angle)).sum())
+    heights, size = places.centre[there].imag, places.radius
     if lost:
         notes.append(f"The hoop is lost in {lost} of {len(there)} frames.")
     if not with_marker:
@@ -132,7 +133,7 @@ def _notes(places: Places, with_marker: bool, line: Ground, hints: Hints) -> tup
         notes.append(f"The marker is hidden in {bare} frames.")
     if places.doubtful is not None:
         notes.append(f"Whole revolutions may be missing after {places.doubtful:.3f} s, where the marker comes back.")
-    if not line.directed and np.ptp(circle[there, 1]) > SIDEWAYS * np.nanmedian(circle[:, 2]):
+    if not line.directed and np.ptp(heights) > SIDEWAYS * size:
         notes.append(f"{DOUBT}the hoop moves up or down the picture. Is the film sideways? Turn it, and track it again.")
     elif not line.directed:
         notes.append("The hoop stays in one place, so the slope is unknown; the picture's rows are taken as level.")
@@ -144,13 +145,11 @@ def _notes(places: Places, with_marker: bool, line: Ground, hints: Hints) -> tup
             f"roll. The camera is taken as level to {np.degrees(LEVEL_ERRORS[0]):.0f}°: give what you measured (--level-deg, "
             "--slope-deg)."
         )
-    size = float(np.nanmedian(circle[:, 2]))
     if size < SMALL:
         notes.append(
             f"The rim has a radius of only {size:.0f} pixels in the picture, so the scale is uncertain by "
             f"{100 * SCALE_ERROR / size:.1g} %: film from nearer or zoom in, up to 100 pixels or more."
         )
-    if any(places.tilt):
-        a, b = np.degrees(places.tilt)
-        notes.append(f"The plane of motion is tilted by {a:.1f}° and {b:.1f}° about the picture's axes.")
+    if hints.tilt is None and any(tilt := np.degrees([places.camera.tilt_x, places.camera.tilt_y])):
+        notes.append(f"The plane of motion is tilted by {tilt[0]:.1f}° and {tilt[1]:.1f}° about the picture's axes.")
     return tuple(notes)

@@ -39,27 +39,27 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
     middle, y = float(points[:, 0].mean()), points[:, 1]
     x = points[:, 0] - middle
     directed = bool(np.ptp(x) > LEAST_WAY * radius)
-    line = np.polyfit(x, y, int(directed))
-    for _ in range(60):  # quantile regression by reweighting
+    weight = np.ones(len(x))
+    for _ in range(61):  # quantile regression by reweighting
+        line = np.polyfit(x, y, int(directed), w=np.sqrt(weight))
         off = y - np.polyval(line, x)
         weight = np.where(off > 0, LOW, 1.0 - LOW) / np.maximum(np.abs(off), 1e-3)
-        line = np.polyfit(x, y, int(directed), w=np.sqrt(weight))
     error = max(float(np.median(errors)), 0.05)
-    near = np.abs(y - np.polyval(line, x)) < 4.0 * error
+    near = np.abs(off) < 4.0 * error
     for _ in range(20):
-        if near.sum() < (4 if directed else 3):
-            break
-        line = np.polyfit(x[near], y[near], int(directed))
-        off, before = np.abs(y - np.polyval(line, x)), near
-        near = off < 3.0 * max(error, NORMAL * float(np.median(off[near])))
-        if (near == before).all():
-            break
+        if near.sum() >= (4 if directed else 3):
+            line = np.polyfit(x[near], y[near], int(directed))
+            off = y - np.polyval(line, x)
+            near = np.abs(off) < 3.0 * max(error, NORMAL * float(np.median(np.abs(off[near]))))
     if not near.any():  # the hoop keeps no height, as in a film that lies on its side
         near[:] = True
-    angle, off = float(np.arctan(line[0])) if directed else 0.0, (y - np.polyval(line, x))[near]
-    height_error = max(float(np.sqrt((off**2).mean())), LEAST_ERROR) * np.sqrt(ALIKE / len(off))
-    angle_error = height_error / float(np.std(x[near])) if directed else float("nan")
-    return Ground(middle, float(line[-1]), angle, len(off), directed, float(height_error), angle_error)
+    used = int(near.sum())
+    height_error = max(float(np.sqrt((off[near] ** 2).mean())), LEAST_ERROR) * float(np.sqrt(ALIKE / used))
+    if not directed:
+        return Ground(middle, float(line[-1]), 0.0, used, False, height_error, float("nan"))
+    return Ground(
+        middle, float(line[-1]), float(np.arctan(line[0])), used, True, height_error, height_error / float(np.std(x[near]))
+    )
 
 
 def line_through(points: Floats, radius: float) -> Ground:

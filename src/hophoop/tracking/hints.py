@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from hophoop.scenario import InputError
 
-NUMBERS = {"centre": 2, "ground": 4, "tilt": 2}
 TINY, HUGE = 1e-30, 1e30  # limits of sizes and errors in SI units; their fourth powers are still doubles
+LIMITS = (  # of hints: how many numbers, their largest amount
+    ("centre", 2, HUGE, "2 numbers"),
+    ("ground", 4, HUGE, "4 numbers"),
+    ("row_delay", 1, 1e-3, "from -0.001 to 0.001 s"),
+    ("tilt", 2, 0.6, "2 numbers from -0.6 to 0.6 (radians)"),
+    ("level", 1, 1.0, "between -1 and 1 (radians)"),
+    ("slope", 1, 1.57, "between -pi/2 and pi/2 (radians)"),
+)
 
 
 @dataclass(frozen=True)
@@ -82,28 +88,20 @@ class Hints:
             missing, there = ("rim", "centre") if self.rim is None else ("centre", "rim")
             raise InputError(f"{missing} is missing: {there} alone does not locate the hoop.")
         require_above_0(rim=self.rim, rate=self.rate, focal=self.focal)
-        for name, good, allowed in (
-            ("ring", self.ring in ("auto", "dark", "light"), "auto, dark or light"),
-            *((name, _inside(getattr(self, name), count=n), f"{n} numbers") for name, n in NUMBERS.items()),
-            ("exposure", 0.0 <= self.exposure < 1.0, "from 0 to 1 s"),
-            ("row_delay", abs(self.row_delay) <= 1e-3, "from -0.001 to 0.001 s"),
-            ("tilt", _inside(self.tilt, -0.6, 0.6, 2), "from -0.6 to 0.6 (radians)"),
-            ("level", _inside(self.level, -1.0, 1.0), "between -1 and 1 (radians)"),
-            ("slope", _inside(self.slope, -0.5 * np.pi, 0.5 * np.pi), "between -pi/2 and pi/2 (radians)"),
-        ):
-            if not good:
-                raise InputError.of_field(name, getattr(self, name), allowed)
+        if self.ring not in ("auto", "dark", "light"):
+            raise InputError.of_field("ring", self.ring, "auto, dark or light")
+        if not 0.0 <= self.exposure < 1.0:
+            raise InputError.of_field("exposure", self.exposure, "from 0 to 1 s")
+        for name, count, most, allowed in LIMITS:
+            value = getattr(self, name)
+            if value is not None and not (np.size(value) == count and np.all(np.abs(value) <= most)):
+                raise InputError.of_field(name, value, allowed)
 
 
 def require_above_0(**values: float | None) -> None:
     """Refuse numbers that are not above 0, or so small that their squares vanish, by their fields; None is allowed."""
     for name, value in values.items():
-        if value is not None and not (np.isfinite(value) and value > 0):
+        if value is not None and not 0.0 < value < np.inf:
             raise InputError.of_field(name, value, "a number above 0")
         if value is not None and not TINY <= value <= HUGE:
             raise InputError.of_field(name, value, f"from {TINY:g} to {HUGE:g}")
-
-
-def _inside(value: Any, above: float = -np.inf, below: float = np.inf, count: int = 1) -> bool:
-    """Return True for None, and for numbers between limits."""
-    return value is None or (np.size(value) == count and bool(np.all((np.array(value) > above) & (np.array(value) < below))))

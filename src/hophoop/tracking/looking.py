@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from hophoop.scenario import InputError
 from hophoop.tracking.circle import Circle
 from hophoop.tracking.hints import Hints
-from hophoop.tracking.marker import Spot, learn_marker, outlined, spots
+from hophoop.tracking.marker import Spot, learn_marker, spots
 from hophoop.tracking.rim import Rim, find_rim
 from hophoop.tracking.search import Search, detect, learn_hoop
 from hophoop.tracking.video import Picture, picture_times, pictures, sample_pictures
@@ -23,7 +23,6 @@ LONGEST = 120.0  # film without a window that is tracked [s]
 FORGET = 0.25  # without the hoop, after which its velocity is unknown [s]
 LEAST_REACH = 9.0  # [pixel]
 STEADY = 0.004, 0.0003  # changes of the radius and of the oval from picture to picture, over the radius
-MOST_SPOTS = 3  # of the marker's colour in a picture
 
 
 class Seen(NamedTuple):
@@ -54,14 +53,14 @@ def look(video: str | Path, hints: Hints, progress: Callable[[int, int | None], 
     last: list[tuple[float, Rim]] = []
     before = None
     for picture in pictures(video, *window):
-        rim, those = _follow(picture, search, [one for one in last if picture.t - one[0] < FORGET]), []
+        rim = _follow(picture, search, [one for one in last if picture.t - one[0] < FORGET])
         if rim is not None:
             last = [*last[-1:], (picture.t, rim)]
-            those = spots(picture, rim.circle, marker)[:MOST_SPOTS] if marker is not None else []
+        marked = spots(picture, rim.circle, marker) if rim is not None and marker is not None else []
         small = picture.luma[::2, ::2].astype(np.int16)
         change = np.nan if before is None else float(np.abs(small - before).mean())
         before = small
-        rows.append((picture.t, rim, [outlined(picture, spot) for spot in those], change))
+        rows.append((picture.t, rim, marked, change))
         if progress is not None:
             progress(len(rows), len(span))
     t, rims, found, changes = zip(*rows, strict=True)
@@ -73,13 +72,13 @@ def _follow(picture: Picture, search: Search, last: list[tuple[float, Rim]]) -> 
     """Find the rim where the last ones, up to two, lead, or anywhere in the picture."""
     if last:
         t, before = last[-1]
-        x, y, radius = before.circle
-        way, reach = np.zeros(2), 0.3 * radius  # the first velocity is unknown
+        centre, radius = before.circle
+        way, reach = 0.0j, 0.3 * radius  # the first velocity is unknown
         if len(last) == 2:
-            way = (np.array([x, y]) - last[0][1].circle[:2]) * (picture.t - t) / (t - last[0][0])
-            reach = min(LEAST_REACH + 0.6 * float(np.hypot(*way)), 0.45 * radius)  # an impact may stop the hoop
-        start, expected = Circle(x + float(way[0]), y + float(way[1]), radius), (radius, STEADY[0] * radius)
-        rim = find_rim(picture.luma, start, search.sign, reach, expected, (*before.oval, STEADY[1] * radius))
+            way = (centre - last[0][1].circle.centre) * (picture.t - t) / (t - last[0][0])
+            reach = min(LEAST_REACH + 0.6 * abs(way), 0.45 * radius)  # an impact may stop the hoop
+        expected, oval = (radius, STEADY[0] * radius), (*before.oval, STEADY[1] * radius)
+        rim = find_rim(picture.luma, Circle(centre + way, radius), search.sign, reach, expected, oval)
         if rim is not None:
             return rim
     return detect(picture.luma, search)

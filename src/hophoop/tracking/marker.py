@@ -9,20 +9,20 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.circle import Circle
+from hophoop.tracking.circle import Circle, Complexes
 from hophoop.tracking.rim import Rim, find_disc
 from hophoop.tracking.video import Picture
 
 Floats = NDArray[np.float64]
-Complexes = NDArray[np.complex128]
 
 CHROMA = np.array([-37.797 + 112.0j, -74.203 - 93.786j, 112.0 - 18.214j]) / 255  # of red, green and blue, after BT.601
 LEAST_CHROMA = 16.0  # minimum, to distinguish a colour from gray
-DULL = 80.0  # chroma of a real marker whose colour was given by a name
+DULL = 80.0  # largest chroma of a real marker, which is duller than the colour of its name
 PALE = 18.0  # minimum chroma of a marker above its surroundings
+MOST_SPOTS = 6  # in a picture
 FEWEST = 3.0  # minimum chroma samples of a marker
 INSIDE, OUTSIDE = 0.15, 1.12  # distances of a marker from the centre, over the radius
-OTHER_AREA = 0.57  # logarithm of the area of a visible marker over its usual one
+OTHER_AREA = 0.6  # logarithm of the area of a visible marker over its usual one
 NEAR = 0.12  # tolerance of its distance from the centre in the picture, over the radius
 
 
@@ -37,7 +37,7 @@ class Spot(NamedTuple):
     """A patch of colour on the hoop in a picture."""
 
     place: complex  # column + i row [pixel]
-    chroma: complex
+    chroma: complex  # of its strongest sample
     ratio: float  # distance from the centre over the radius in the picture
     area: float  # samples of chroma, by their weights
 
@@ -79,7 +79,7 @@ def learn_marker(seen: list[tuple[Picture, Rim]], color: str) -> Marker | None:
     if given is None and len(best) < max(2, 0.5 * len(seen)):
         return None
     blue, red, ratio = np.median([(spot.chroma.real, spot.chroma.imag, spot.ratio) for spot in best.values()], axis=0)
-    return Marker(complex(blue, red), float(ratio))
+    return Marker(complex(blue, red) if given is None else given.chroma, float(ratio))
 
 
 def _alike(one: Spot, other: Spot) -> bool:
@@ -90,29 +90,28 @@ def _alike(one: Spot, other: Spot) -> bool:
 def spots(picture: Picture, circle: Circle, marker: Marker | None) -> list[Spot]:
     """Find patches of the marker's colour at its distance from the centre, or of any colour if it is unknown.
 
-    spots: the largest first, each at the mean of its samples.
+    spots: the largest first, each at the centre of its outline, if that is a disc, otherwise at the mean of its samples.
     """
     ndimage = need("scipy.ndimage", "track")
     reach = OUTSIDE * circle.radius
-    box = tuple(
-        slice(max(int((middle - reach) / 2), 0), max(int((middle + reach) / 2) + 2, 0)) for middle in (circle.y, circle.x)
-    )
+    middle = circle.centre.imag, circle.centre.real
+    box = tuple(slice(max(int((at - reach) / 2), 0), max(int((at + reach) / 2) + 2, 0)) for at in middle)
     chroma = (picture.blue[box] - 128.0) + 1j * (picture.red[box] - 128.0)
     if min(chroma.shape) < 3:
         return []
     row, column = np.mgrid[box][:, : chroma.shape[0], : chroma.shape[1]]
     place = 2.0 * (column + 1j * row) + complex(*picture.chroma)
-    centre = complex(circle.x, circle.y)
-    ratio = np.abs(place - centre) / circle.radius
+    ratio = np.abs(place - circle.centre) / circle.radius
     weight = _above_surroundings(chroma, ratio) if marker is None else _like(marker, chroma, ratio, circle.radius)
     labels, _ = ndimage.label(weight > 0.0, structure=np.ones((3, 3)))
     found = []
     for k, part in enumerate(ndimage.find_objects(labels), 1):
         own = np.where(labels[part] == k, weight[part], 0.0)
         if (area := float(own.sum())) >= FEWEST:
-            middle, colour = complex((own * place[part]).sum() / area), complex((own * chroma[part]).sum() / area)
-            found.append(Spot(middle, colour, abs(middle - centre) / circle.radius, area))
-    return sorted(found, key=lambda spot: -spot.area)
+            centre = complex((own * place[part]).sum() / area)
+            strongest = complex(chroma[part].flat[own.argmax()])  # the rest is blurred
+            found.append(Spot(centre, strongest, abs(centre - circle.centre) / circle.radius, area))
+    return [_outlined(picture, spot) for spot in sorted(found, key=lambda spot: -spot.area)[:MOST_SPOTS]]
 
 
 def _above_surroundings(chroma: Complexes, ratio: Floats) -> Floats:
@@ -133,30 +132,29 @@ def _like(marker: Marker, chroma: Complexes, ratio: Floats, radius: float) -> Fl
     return np.where(near, weight, 0.0)
 
 
-def outlined(picture: Picture, spot: Spot) -> Spot:
+def _outlined(picture: Picture, spot: Spot) -> Spot:
     """Return a spot at the centre of its outline, if that is a disc."""
     size = float(np.sqrt(4.0 * spot.area / np.pi))  # a sample is four pixels
-    disc = find_disc(picture.luma, Circle(spot.place.real, spot.place.imag, size))
-    return spot if disc is None else spot._replace(place=complex(disc.x, disc.y))
+    disc = find_disc(picture.luma, Circle(spot.place, size))
+    return spot if disc is None else spot._replace(place=disc.centre)
 
 
-def choose_spots(found: list[list[Spot]]) -> Floats:
+def choose_spots(found: list[list[Spot]]) -> Complexes:
     """Return the place of the marker in each frame: the patch of its usual size at its usual distance from the centre.
 
-    found: spots of each frame, the largest first; places: shape (n, 2), nan where there is none [pixel].
+    found: spots of each frame, the largest first; places: shape (n,), nan where there is none [pixel].
     """
-    places = np.full((len(found), 2), np.nan)
+    places = np.full(len(found), complex(np.nan, np.nan))
     largest = [(those[0].ratio, np.log(those[0].area)) for those in found if those]
     usual = np.median(largest or [(np.nan, np.nan)], axis=0)
 
     def unlike(spot: Spot) -> Floats:
         return np.asarray(np.abs([spot.ratio, np.log(spot.area)] - usual) / [NEAR, OTHER_AREA])
 
-    for place, those in zip(places, found, strict=True):
+    for k, those in enumerate(found):
         fits = [spot for spot in those if unlike(spot).max() < 1.0]
         if fits:
-            best = min(fits, key=lambda spot: float(unlike(spot).sum())).place
-            place[:] = best.real, best.imag
+            places[k] = min(fits, key=lambda spot: float(unlike(spot).sum())).place
     return places
 
 

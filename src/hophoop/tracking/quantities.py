@@ -200,11 +200,8 @@ def _use_named(sheet: Sheet) -> None:
 
 def _named(sheet: Sheet, channel: str, label: str) -> Column:
     """Return the column that is named by its head or its number."""
-    found = (
-        [column for column in sheet.columns if column.head == label]
-        or [column for column in sheet.columns if column.head.casefold() == label.casefold()]
-        or [column for column in sheet.columns if str(column.number) == label]
-    )
+    named = [column for column in sheet.columns if column.head.casefold() == label.casefold()]
+    found = named or [column for column in sheet.columns if str(column.number) == label]
     if column := sheet.only(found, channel):
         return column
     raise sheet.question(f"has no column {label!r}; {sheet.listed}", sheet.such(channel))
@@ -244,6 +241,11 @@ def _find_positions(sheet: Sheet) -> str | None:
         if "omega" not in sheet.used:
             raise _places_or_sensor(sheet, "has three axes without units", axes)
         return None
+    marked = any(re.search(MARKER, column.point.lower()) for column in free)
+    alone = sorted(column.quantity for column in free) == ["x", "y"] and not marked
+    if alone and not (named or sheet.how.centre or sheet.how.marker):  # such as place x and height y
+        sheet.used.update({column.quantity: column for column in free})
+        return free[0].point
     roles = _roles(sheet, free, asks=not named)
     for prefix, point in roles.items():
         for axis in ("x", "y"):
@@ -304,8 +306,8 @@ def _rise_and_fall(free: list[Column], point: str) -> float:
 def _find_rotation(sheet: Sheet, centre: str | None) -> None:
     """Find the column of the angle, or without angle and marker that of the angular velocity."""
     angles = [column for column in sheet.free("angle") if column.point in ("", centre)]
-    if angles and "angle" not in sheet.used:
-        sheet.used["angle"] = angles[0]
+    if angles:
+        sheet.used.setdefault("angle", angles[0])
     polar = sheet.free("polar")
     if polar and "angle" not in sheet.used:
         sheet.notes.append(
@@ -325,7 +327,7 @@ def _converted(sheet: Sheet, channel: str) -> Floats:
     """Return values of a column in SI units and radians."""
     units, column, kind = sheet.how.units, sheet.used[channel], KIND[channel]
     given = units.get(channel, units.get(channel.removeprefix("marker_"), column.unit))
-    if not kind or channel.startswith("sigma") or (kind == "m" and given in PIXELS):
+    if not kind or given in PIXELS:
         return column.values
     factor = unit_factor(given, kind)
     if factor is not None:

@@ -5,17 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop._support.extras import need
-from hophoop.tracking.circle import UNKNOWN, Circle, CircleFit, robust_circle
+from hophoop.tracking.circle import UNKNOWN, Circle, CircleFit, Complexes, robust_circle
 from hophoop.tracking.video import Bytes
 
-Floats = NDArray[np.float64]
-
 RAYS = 180
-ANGLES = (np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS
-DIRECTIONS = np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=-1)
+DIRECTIONS = np.exp(2j * np.pi * (np.arange(RAYS) + 0.5) / RAYS)[:, None]
 STEP = 0.5  # between samples of a ray [pixel]
 WIDE = 2.5  # distance from the steepest sample up to which samples count for its position [pixel]
 WEAKEST = 3.0  # rise of luma that counts as an edge
@@ -31,7 +27,7 @@ class Rim(NamedTuple):
     """A rim found in a picture."""
 
     circle: Circle
-    points: Floats  # of its outer edge, shape (n, 2) [pixel]
+    points: Complexes  # of its outer edge [pixel]
     looked: int  # rays that lie in the picture
     sign: int  # 1 dark, −1 light
     oval: tuple[float, float]  # as in `CircleFit`
@@ -42,18 +38,18 @@ class Rim(NamedTuple):
         return len(self.points) / self.looked
 
 
-def edges(luma: Bytes, circle: Circle, sign: int, reach: float, over: float = 1.0) -> tuple[Floats, int]:
+def edges(luma: Bytes, circle: Circle, sign: int, reach: float, over: float = 1.0) -> tuple[Complexes, int]:
     """Find the steepest point on each ray near a circle.
 
     luma shape (height, width) [1]; sign: 1 if luma rises outwards, as at a dark hoop; 0 for edges of either sign; reach:
     maximum distance from the circle [pixel]; over: distance over which luma rises, the thinner the rim the less, since its
-    inner edge is near [pixel]; points: shape (n, 2), one per ray that has it [pixel]; looked: number of rays that lie in the
+    inner edge is near [pixel]; points: shape (n,), one per ray that has it [pixel]; looked: number of rays that lie in the
     picture.
     """
     offsets = np.arange(-reach - 1.0, reach + 1.0 + 0.5 * STEP, STEP)
-    x, y = ((circle.radius + offsets) * along[:, None] for along in DIRECTIONS.T)
+    at = circle.centre + (circle.radius + offsets) * DIRECTIONS
     sample = need("scipy.ndimage", "track").map_coordinates
-    values = sample(luma, [circle.y + y, circle.x + x], output=np.float32, order=1, cval=np.nan)  # nan outside the picture
+    values = sample(luma, [at.imag, at.real], output=np.float32, order=1, cval=np.nan)  # nan outside the picture
     half = round(0.5 * over / STEP)
     rise, offsets = values[:, 2 * half :] - values[:, : -2 * half], offsets[half:-half]
     there = np.isfinite(rise).all(axis=1)
@@ -65,7 +61,7 @@ def edges(luma: Bytes, circle: Circle, sign: int, reach: float, over: float = 1.
     # only the peak around the steepest point, not a neighbouring one
     weight = np.where((np.abs(offsets - offsets[best]) <= WIDE) & (rise > 0.2 * strength), rise, 0.0)
     mean = (weight * offsets).sum(axis=1) / np.maximum(weight.sum(axis=1), 1e-9)
-    points = circle[:2] + (circle.radius + mean)[:, None] * DIRECTIONS
+    points = circle.centre + (circle.radius + mean) * DIRECTIONS[:, 0]
     return points[good], int(there.sum())
 
 
@@ -116,5 +112,4 @@ def find_disc(luma: Bytes, circle: Circle) -> Circle | None:
     fit = robust_circle(points, circle, reach + 1.0, (circle.radius, 0.1 * circle.radius))
     if fit is None or fit.inside.sum() < 0.6 * RAYS or fit.spread > max(0.3, 0.08 * circle.radius):
         return None
-    away = np.hypot(fit.circle.x - circle.x, fit.circle.y - circle.y)
-    return fit.circle if away < 0.3 + 0.1 * circle.radius else None
+    return fit.circle if abs(fit.circle.centre - circle.centre) < 0.3 + 0.1 * circle.radius else None

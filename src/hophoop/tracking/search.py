@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.circle import UNKNOWN, Circle, ransac_circles
+from hophoop.tracking.circle import UNKNOWN, Circle, Complexes, ransac_circles
 from hophoop.tracking.hints import Hints
 from hophoop.tracking.rim import SMALLEST, Rim, confirm
 from hophoop.tracking.video import Bytes, Picture
@@ -21,6 +21,7 @@ MOVED = 14.0  # change of luma that counts as motion
 CONTRAST = 18.0  # difference from the surroundings that counts as dark or light
 MOST_POINTS = 600
 COMPONENTS = 5
+MOST_CIRCLES = 6  # that are confirmed for a component
 CERTAIN = 0.8  # share of a rim that ends the search
 ALIKE = 0.12  # relative difference of radii in different pictures
 SIZE_ERROR = 0.25 * ALIKE  # of a radius from other pictures, relative
@@ -41,7 +42,7 @@ def learn_hoop(stills: list[Picture], hints: Hints, source: str) -> tuple[Search
     source: name of the film.
     """
     start = _with_hint(Search(None, {"dark": 1, "light": -1}.get(hints.ring, 0)), stills, hints)
-    background = np.median([downsample(still.luma) for still in stills], axis=0)
+    background = np.median([_reduced(still.luma)[0] for still in stills], axis=0)
     best: list[tuple[Picture, Rim]] = []
     for search in (start._replace(background=background), start):
         found = [(still, rim) for still in stills if (rim := detect(still.luma, search)) is not None]
@@ -56,11 +57,11 @@ def learn_hoop(stills: list[Picture], hints: Hints, source: str) -> tuple[Search
             f"{source} shows no hoop that could be followed; a hint may help: its centre and radius in a frame, "
             f"or whether it is dark or light."
         )
-    x, y, radius = np.transpose([rim.circle for _, rim in best])
-    size = float(np.median(radius))
-    if max(np.ptp(x), np.ptp(y)) < STILL * size:
+    centre, radius = np.transpose([rim.circle for _, rim in best])
+    size = float(np.median(radius.real))
+    if np.abs(centre - centre[0]).max() < STILL * size:
         raise InputError(f"{source} shows a circle that does not move, but no hoop.")
-    error = max(SIZE_ERROR * size, 0.25 * float(np.ptp(radius)))  # a tilted hoop has other sizes at either side
+    error = max(SIZE_ERROR * size, 0.25 * float(np.ptp(radius.real)))  # a tilted hoop has other sizes at either side
     return known._replace(sign=best[0][1].sign, expected=(size, error)), best
 
 
@@ -69,7 +70,7 @@ def _with_hint(search: Search, stills: list[Picture], hints: Hints) -> Search:
     if hints.centre is None or hints.rim is None:
         return search
     still = min(stills, key=lambda one: abs(one.t - hints.at))
-    rim = confirm(still.luma, Circle(*hints.centre, hints.rim), search.sign)
+    rim = confirm(still.luma, Circle(complex(*hints.centre), hints.rim), search.sign)
     if rim is None:
         raise InputError(
             f"centre = {hints.centre[0]:g}, {hints.centre[1]:g} and a rim of {hints.rim:g} pixels show no rim "
@@ -89,18 +90,11 @@ def _alike(one: Rim, other: Rim) -> bool:
 # --- one picture -----------------------------------------------------------------------------------
 
 
-def _reduction(luma: Bytes) -> int:
-    """Factor of downsampling [1]."""
-    return max(1, round(len(luma[0]) / WIDTH))
-
-
-def downsample(luma: Bytes) -> Floats:
-    """Reduce a picture to about `WIDTH`: each pixel is the mean of a square."""
-    by = _reduction(luma)
-    tall, wide = luma.shape[0] // by, luma.shape[1] // by
-    blocks = luma[: tall * by, : wide * by].reshape(tall, by, wide, by)
-    result: Floats = blocks.mean(axis=(1, 3), dtype=np.float32)
-    return result
+def _reduced(luma: Bytes) -> tuple[Floats, int]:
+    """Return a picture of about `WIDTH`, and the side of the squares whose means are its pixels [pixel]."""
+    by = max(1, round(len(luma[0]) / WIDTH))
+    means = need("scipy.ndimage", "track").uniform_filter(luma, by, output=np.float32)
+    return means[by // 2 :: by, by // 2 :: by], by
 
 
 def detect(luma: Bytes, search: Search) -> Rim | None:
@@ -108,7 +102,8 @@ def detect(luma: Bytes, search: Search) -> Rim | None:
 
     luma shape (height, width) [1].
     """
-    small, by, rng = downsample(luma), _reduction(luma), np.random.default_rng(0)
+    small, by = _reduced(luma)
+    rng = np.random.default_rng(0)
     size, error = search.expected
     sizes = ((0.96 * size - 2.0 * error) / by, (1.04 * size + 2.0 * error) / by)
     if search.expected == UNKNOWN:
@@ -117,8 +112,9 @@ def detect(luma: Bytes, search: Search) -> Rim | None:
     for mask in _masks(small, search.background):
         for points in _outlines(mask, sizes[0]):
             some = rng.choice(points, min(len(points), MOST_POINTS), replace=False)
-            for share, (x, y, radius) in ransac_circles(some, sizes, (small.shape[1], small.shape[0]), rng):
-                circle = Circle((x + 0.5) * by - 0.5, (y + 0.5) * by - 0.5, radius * by)
+            for share, (centre, radius) in ransac_circles(some, sizes, small.shape, rng)[:MOST_CIRCLES]:
+                middle = complex(0.5, 0.5)  # of a pixel
+                circle = Circle((centre + middle) * by - middle, radius * by)
                 rim = confirm(luma, circle, search.sign, search.expected) if share >= 0.3 else None
                 if rim is not None and (best is None or rim.share > best.share):
                     best = rim
@@ -134,13 +130,12 @@ def _masks(small: Floats, background: Floats | None) -> list[NDArray[np.bool_]]:
     return [small < around - CONTRAST, small > around + CONTRAST]
 
 
-def _outlines(mask: NDArray[np.bool_], least: float) -> list[Floats]:
+def _outlines(mask: NDArray[np.bool_], least: float) -> list[Complexes]:
     """Return outlines of the largest components, and of all of them together; least: radius of a hoop [pixel]."""
     ndimage = need("scipy.ndimage", "track")
     labels, _ = ndimage.label(mask, structure=np.ones((3, 3)))
     sizes = np.array([max(side.stop - side.start for side in box) for box in ndimage.find_objects(labels)])
-    rows, columns = np.nonzero(mask & ~ndimage.binary_erosion(mask, border_value=1))
-    points, own = np.column_stack([columns, rows]).astype(float), labels[rows, columns]
-    largest = [points[own == k + 1] for k in np.argsort(-sizes)[:COMPONENTS] if sizes[k] >= 2 * least]
-    wide = np.flatnonzero(sizes >= 3) + 1
-    return [*largest, points[np.isin(own, wide)]]
+    edge = mask & ~ndimage.binary_erosion(mask, border_value=1)
+    points, own = np.argwhere(edge) @ [1j, 1.0], labels[edge] - 1
+    largest = [points[own == k] for k in np.argsort(-sizes)[:COMPONENTS] if sizes[k] >= 2 * least]
+    return [*largest, points[sizes[own] >= 3]] if len(sizes) else []

@@ -24,7 +24,6 @@ Floats = NDArray[np.float64]
 
 SCHEMA = "hophoop-track/1"
 HEAD = ("radius", "slope", "slope_error")  # numbers of the whole track
-FOUND, UNMARKED, LOST = "found", "no marker", "lost"
 
 
 @dataclass(frozen=True)
@@ -117,26 +116,26 @@ def along(rise: float) -> Floats:
     return np.array([[cos, sin], [-sin, cos]])
 
 
-# Columns of a table: attribute and index, unit.
-COLUMNS: dict[str, tuple[str, int | None, str]] = {
-    "t": ("t", None, "s"),
+# Columns of a table: attribute, its column, unit.
+COLUMNS: dict[str, tuple[str, Any, str]] = {
+    "t": ("t", ..., "s"),
     "x": ("centre", 0, "m"),
     "y": ("centre", 1, "m"),
-    "angle": ("angle", None, "rad"),
+    "angle": ("angle", ..., "rad"),
     "sigma_x": ("centre_error", 0, "m"),
     "sigma_y": ("centre_error", 1, "m"),
-    "sigma_angle": ("angle_error", None, "rad"),
+    "sigma_angle": ("angle_error", ..., "rad"),
     "marker_x": ("marker", 0, "m"),
     "marker_y": ("marker", 1, "m"),
-    "sigma_marker": ("marker_error", None, "m"),
-    "omega": ("omega", None, "rad/s"),
-    "sigma_omega": ("omega_error", None, "rad/s"),
+    "sigma_marker": ("marker_error", ..., "m"),
+    "omega": ("omega", ..., "rad/s"),
+    "sigma_omega": ("omega_error", ..., "rad/s"),
     "column": ("pixel", 0, "pixel"),
     "row": ("pixel", 1, "pixel"),
     "marker_column": ("marker_pixel", 0, "pixel"),
     "marker_row": ("marker_pixel", 1, "pixel"),
 }
-PAIRS = {name for name, index, _ in COLUMNS.values() if index is not None}
+PAIRS = {name for name, index, _ in COLUMNS.values() if index == 1}
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,8 +160,6 @@ class Track:
         Centre and marker in the picture: column and row [pixel].
     omega, omega_error : ndarray, shape (n,)
         Angular velocity, clockwise, of a sensor on the hoop, and its standard deviation [rad/s].
-    state : tuple of str
-        'found', 'no marker' or 'lost' for each frame.
     radius : float
         Radius of the rim [m]; nan if unknown.
     slope : float
@@ -191,7 +188,6 @@ class Track:
     marker_pixel: Floats
     omega: Floats
     omega_error: Floats
-    state: tuple[str, ...]
     radius: float = float("nan")
     slope: float = float("nan")
     slope_error: float = float("nan")
@@ -201,9 +197,17 @@ class Track:
     notes: tuple[str, ...] = field(default=())
 
     @property
+    def state(self) -> tuple[str, ...]:
+        """'found', 'no marker' or 'lost' for each frame."""
+        placed = np.isfinite(self.centre[:, 0])
+        marked = np.isfinite([self.marker[:, 0], self.angle, self.omega]).any(axis=0)
+        found = placed | (marked & ~placed.any())  # a record without centres lacks none
+        return tuple(np.where(found, np.where(marked, "found", "no marker"), "lost").tolist())
+
+    @property
     def found(self) -> NDArray[np.bool_]:
         """True for each frame in which the hoop was found [1]."""
-        return np.array([word != LOST for word in self.state])
+        return np.array([word != "lost" for word in self.state])
 
     def between(self, since: float | None = None, until: float | None = None) -> Track:
         """Return the part of the track between two times, such as between hand and wall.
@@ -231,11 +235,9 @@ class Track:
                 f"{self.source or 'The track'} has times from {self.t[0]:g} to {self.t[-1]:g} s, of which {int(keep.sum())} "
                 "are in the window; at least 3 are needed."
             )
-        arrays = {name: getattr(self, name)[keep] for name in dict.fromkeys(name for name, _, _ in COLUMNS.values())}
+        arrays = {name: getattr(self, name)[keep] for name in {name for name, _, _ in COLUMNS.values()}}
         view = self.view and replace(self.view, first=self.view.first + int(np.argmax(keep)))
-        return replace(
-            self, **arrays, view=view, state=tuple(word for word, kept in zip(self.state, keep, strict=True) if kept)
-        )
+        return replace(self, **arrays, view=view)
 
     def to_dict(self) -> dict[str, Any]:
         """Convert to a dictionary, nan as None.
@@ -245,7 +247,7 @@ class Track:
         track : dict
             Ready for `json.dumps`; SI units and radians.
         """
-        columns = {name: plain(self._column(name).tolist()) for name in COLUMNS if np.isfinite(self._column(name)).any()}
+        columns = {name: plain(values.tolist()) for name, values in self._known().items()}
         head: dict[str, Any] = {"schema": SCHEMA, "source": self.source, "placed": self.placed, "notes": list(self.notes)}
         head |= {name: value for name in HEAD if np.isfinite(value := getattr(self, name))}
         if self.view is not None:
@@ -274,10 +276,10 @@ class Track:
         with replacing(Path(path)) as fresh, fresh.open("w", newline="", encoding="utf-8") as stream:
             csv.writer(stream).writerows(self.rows())
 
-    def _column(self, name: str) -> Floats:
-        attribute, index, _ = COLUMNS[name]
-        values: Floats = getattr(self, attribute)
-        return values if index is None else values[:, index]
+    def _known(self) -> dict[str, Floats]:
+        """Columns with values, by their names in a table."""
+        columns = {name: getattr(self, key).T[index] for name, (key, index, _) in COLUMNS.items()}
+        return {name: values for name, values in columns.items() if np.isfinite(values).any()}
 
     def rows(self) -> Iterable[list[str]]:
         """The table as text: names with units, then one row per frame; unknown values are empty cells.
@@ -286,27 +288,20 @@ class Track:
         ------
         row : list of str
         """
-        names = [name for name in COLUMNS if np.isfinite(self._column(name)).any()]
-        yield [*(f"{name} [{COLUMNS[name][2]}]" for name in names), "state"]
-        columns = [self._column(name) for name in names]
-        for k, word in enumerate(self.state):
-            yield [*("" if np.isnan(column[k]) else repr(float(column[k])) for column in columns), word]
+        known = self._known()
+        yield [*(f"{name} [{COLUMNS[name][2]}]" for name in known), "state"]
+        for *values, word in zip(*known.values(), self.state, strict=True):
+            yield [*("" if np.isnan(value) else repr(float(value)) for value in values), word]
 
     def __repr__(self) -> str:
         good = int(self.found.sum())
         return f"<Track of {self.source or 'a hoop'}: found in {good} of {len(self.t)} frames>"
 
 
-def track_of(
-    t: Floats,
-    columns: dict[str, Floats],
-    state: Iterable[str] | None = None,
-    **others: Any,
-) -> Track:
+def track_of(t: Floats, columns: dict[str, Floats], **others: Any) -> Track:
     """Make a track from the known columns; the others are nan.
 
-    t: shape (n,), times [s]; columns: by name in COLUMNS; state: by default from the known values of each row; **others:
-    attributes of the track.
+    t: shape (n,), times [s]; columns: by name in COLUMNS; **others: attributes of the track.
     """
     count, name = len(t), others.get("source") or "The track"
     if count < 3:
@@ -315,23 +310,17 @@ def track_of(
     if len(bad) or not np.isfinite(t).all():
         row = int(bad[0]) + 2 if len(bad) else int(np.flatnonzero(~np.isfinite(t))[0]) + 1
         raise InputError(f"{name} must have times that increase, which they do not in row {row}.")
-    arrays: dict[str, Any] = {}
-    for key, (attribute, index, _) in COLUMNS.items():
-        values = arrays.setdefault(attribute, np.full((count, 2) if attribute in PAIRS else count, np.nan))
-        if key in columns:
-            values[... if index is None else (..., index)] = columns[key]
-    arrays["t"] = t
+    arrays: dict[str, Any] = {key: np.full((count, 2) if key in PAIRS else count, np.nan) for key, _, _ in COLUMNS.values()}
+    for column, values in {**columns, "t": t}.items():
+        key, index, _ = COLUMNS[column]
+        arrays[key].T[index] = values
     # drop positions with only one coordinate
     for pair in PAIRS:
         arrays[pair][~np.isfinite(arrays[pair]).all(axis=1)] = np.nan
-    placed = np.isfinite(arrays["centre"][:, 0])
-    marked = np.isfinite(arrays["marker"][:, 0]) | np.isfinite(arrays["angle"]) | np.isfinite(arrays["omega"])
-    if not (placed | marked).any():
+    track = Track(**arrays, **others)
+    if not track.found.any():
         raise InputError(f"{name} has the hoop in no row.")
-    if state is None:
-        only_marker = not placed.any()
-        state = (FOUND if b and (a or only_marker) else UNMARKED if a else LOST for a, b in zip(placed, marked, strict=True))
-    return Track(**arrays, state=tuple(state), **others)
+    return track
 
 
 def track_from_dict(data: Any, name: str) -> Track:
@@ -351,7 +340,6 @@ def track_from_dict(data: Any, name: str) -> Track:
         return track_of(
             columns.pop("t"),
             columns,
-            [str(word) for word in data["state"]],
             placed=bool(data["placed"]),
             view=view,
             source=str(data["source"]),

@@ -110,8 +110,8 @@ def even_step(ticks: Floats, usual: float) -> float:
     """
     if len(ticks) < 3:
         return 0.0
-    waits = np.diff(ticks)
-    number = np.concatenate([[0.0], np.cumsum(np.round(waits / np.median(waits)))])
+    waits = np.diff(ticks, prepend=0.0)
+    number = np.cumsum(np.round(waits / np.median(waits[1:])))
     for step in (usual, float(np.polyfit(number, ticks, 1)[0])):
         if step > 1.0 and np.ptp(ticks - on_grid(ticks, step)) <= ROUNDED:
             return step
@@ -162,15 +162,16 @@ def _picture(frame: Any, row: int, t: float, aspect: float, centred: bool, file:
         a, b, _, c, d = np.frombuffer(matrix, dtype=np.int32)[:5].tolist()
         if abs(b) > abs(a):
             planes, chroma, a, d = [plane.T for plane in planes], chroma[::-1], c, b
-        planes = [plane[:: -1 if d < 0 else 1, :: -1 if a < 0 else 1] for plane in planes]
-        chroma = (1.0 - chroma[0] if a < 0 else chroma[0], 1.0 - chroma[1] if d < 0 else chroma[1])
+        across, down = (-1 if way < 0 else 1 for way in (a, d))
+        planes = [plane[::down, ::across] for plane in planes]
+        chroma = (0.5 + across * (chroma[0] - 0.5), 0.5 + down * (chroma[1] - 0.5))
     luma, blue, red = (np.ascontiguousarray(plane) for plane in planes)
     return Picture(row, t, luma, blue, red, chroma)
 
 
 def _plane(plane: Any) -> Bytes:
     values = np.frombuffer(plane, dtype=np.uint8).reshape(-1, plane.line_size)
-    return np.ascontiguousarray(values[: plane.height, : plane.width])
+    return values[: plane.height, : plane.width]
 
 
 def sample_pictures(
