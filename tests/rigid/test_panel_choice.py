@@ -5,7 +5,7 @@ import math
 import pytest
 
 from hophoop.kernel.panels.anchor import NONE, rolling_anchor
-from hophoop.kernel.panels.panel import ARRIVE, LINEAR, linear_panel
+from hophoop.kernel.panels.panel import ARRIVE, LEAVE, LINEAR, leaving_panel, linear_panel
 from hophoop.kernel.records.layout import PANELS, new_scratch
 from hophoop.kernel.rigid import panel_choice
 from newton_euler import accelerations
@@ -96,14 +96,29 @@ def test_a_hoop_that_begins_slowly_has_a_narrow_panel(om, most, sigma, side):
 
 def test_a_panel_that_outlasts_the_motion_is_made_shorter():
     """Where it takes 64 times the time that is left, and 64 √(R/g); it then takes about 4 times what is left, at least."""
+
+    def begun(body, om):
+        return new_scratch(), state_of(2.0, om), begin_of(body, 0, state_of(2.0, om))
+
+    def shortened(panel, left):
+        totals = panel_choice.solve(body, panel, scratch.work)
+        return panel_choice.narrow_to_time(body, anchor_of(body, 0, state), panel, totals, state, left, scratch)
+
     body = body_of(0.0, gravity=0.0)
-    for om, left in ((1e-5, 1.0), (1e-9, 30.0), (-1e-150, 1e-2)):
-        scratch, state = new_scratch(), state_of(2.0, om)
-        panel = linear_panel(begin_of(body, 0, state), 0)
+    for om, left, most in ((1e-5, 1.0, 5.7), (1e-9, 30.0, 5.7), (-1e-150, 1e-2, 5.7)):
+        scratch, state, begin = begun(body, om)
+        panel = linear_panel(begin, 0)
         totals = panel_choice.solve(body, panel, scratch.work)
         for time, outlasts in ((64.1, True), (63.9, False)):
             assert panel_choice.exceeds_time_left(totals._replace(time=time * max(left, 1.0)), left) is outlasts
         assert not panel_choice.exceeds_time_left(totals, 0.0)
-        short, totals = panel_choice.narrow_to_time(body, anchor_of(body, 0, state), panel, totals, state, left, scratch)
+        short, totals = shortened(panel, left)
         assert (short.kind, short.direction, short.u) == (LINEAR, panel.direction, om**2)
-        assert 4.0 * left <= totals.time < 5.7 * left
+        assert 4.0 * left <= totals.time < most * left
+    for om, left, level in ((1e-300, 1e-8, 2000), (2.0, 30.0, 0)):  # the narrowest and the widest there is
+        scratch, state, begin = begun(body, om)
+        assert shortened(linear_panel(begin, 0), left)[0].level == level
+    body = body_of(0.0, slope=1e-8)
+    scratch, state, begin = begun(body, 0.0)
+    short, totals = shortened(leaving_panel(begin, 0.4), 0.25)
+    assert (short.kind, short.direction, totals.time) == (LEAVE, 1.0, pytest.approx(1.0, rel=1e-13))
