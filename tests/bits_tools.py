@@ -58,8 +58,7 @@ def kept_scenarios(every=1):
 
 def kept_hashes():
     """The content of the file of hashes."""
-    told = json.loads(HASHES.read_text(encoding="utf-8"))
-    return told
+    return json.loads(HASHES.read_text(encoding="utf-8"))
 
 
 # --- bits ------------------------------------------------------------------------------------------------------------

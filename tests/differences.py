@@ -73,14 +73,10 @@ def by_differences(motion, path, side):
     return found
 
 
-def counted_names(motion):
-    """The names of all numbers of all events, such as ``"impact[1].omega"``."""
-    seen = {}
-    names = []
-    for kind in kinds_of(motion):
-        place = seen[kind] = seen.get(kind, -1) + 1
-        names += [f"{kind}[{place}].{field}" for field in FIELDS]
-    return names
+def counted_names(motion, fields=FIELDS):
+    """The names of numbers of all events, such as ``"impact[1].omega"``."""
+    kinds = kinds_of(motion)
+    return [f"{kind}[{kinds[:k].count(kind)}].{field}" for k, kind in enumerate(kinds) for field in fields]
 
 
 def compare_derivatives(scenario):

@@ -140,28 +140,31 @@ class Steps:
     def button(self, said):
         self.page.get_by_role("button", name=said, exact=True).click()
 
-    def drag(self, said):
-        """From the middle of what is named, over places behind a colon, in pixels from there; `drop` lets go."""
+    def way(self, said):
+        """The middle of what is named, and places behind a colon, given in pixels from there."""
         selector, _, places = said.partition(": ")
         box = self.page.locator(selector).first.bounding_box()
         x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-        self.page.mouse.move(x, y)
+        return [(x + dx, y + dy) for dx, dy in [(0, 0), *self.do(f"return {places}")]]
+
+    def drag(self, said):
+        """Along a way; `drop` lets go."""
+        first, *others = self.way(said)
+        self.page.mouse.move(*first)
         self.page.mouse.down()
-        for dx, dy in self.do(f"return {places}"):
-            self.page.mouse.move(x + dx, y + dy)
+        for place in others:
+            self.page.mouse.move(*place)
 
     def drop(self, _):
         self.page.mouse.up()
 
     def touch(self, said):
-        """A finger, as `drag`, that is lifted at the end."""
-        selector, _, places = said.partition(": ")
-        box = self.page.locator(selector).first.bounding_box()
-        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        """A finger along a way, lifted at the end."""
+        first, *others = self.way(said)
         touch = fingers(self.page)
-        touch("touchStart", (x, y))
-        for dx, dy in self.do(f"return {places}"):
-            touch("touchMove", (x + dx, y + dy))
+        touch("touchStart", first)
+        for place in others:
+            touch("touchMove", place)
         touch("touchEnd")
 
     def pinch(self, said):

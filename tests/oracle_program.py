@@ -45,8 +45,7 @@ def reference(name, number=float):
         except ValueError:
             return thing
 
-    document = numbers(json.loads((DATA / f"{name}.json").read_text(encoding="utf-8")))
-    return document
+    return numbers(json.loads((DATA / f"{name}.json").read_text(encoding="utf-8")))
 
 
 def highest_apexes(events):
@@ -54,9 +53,7 @@ def highest_apexes(events):
 
     A flight that is highest at its own beginning has no apex.
     """
-    kept = []
-    apex = None
-    begin = 0.0
+    kept, apex, begin = [], None, 0.0
     for event in events:
         if event["kind"] == "apex":
             if event["height"] > (apex["height"] if apex else begin):

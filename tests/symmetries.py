@@ -92,8 +92,7 @@ def _in_other_units(keys, length, time, mass):
             return [other(name, each) for each in value]
         return value * units[name] if name in units and value is not None else value
 
-    result = other("", keys)
-    return result
+    return other("", keys)
 
 
 def _alike(invariant, motion, other, factors, letters, allowed):

@@ -5,6 +5,7 @@ import re
 import pytest
 
 import hophoop as hh
+from differences import counted_names
 from hophoop.derivatives.results.quantities import hops_of
 from hophoop.derivatives.results.sensitivity import EDGE, SIDED
 from lab_page_tools import wait_for
@@ -13,7 +14,6 @@ pytestmark = pytest.mark.long
 
 RIGHT = 1e-6  # of differences
 SHOWN = "lab.extras.more.changes && !lab.surrounding"
-FIELDS = ("t", "x", "height", "angle")
 RATES = """() => [...document.querySelectorAll(".more tbody tr")]
   .map((row) => [...row.querySelectorAll("td")].map((cell) => cell.dataset.rate))"""
 
@@ -38,8 +38,7 @@ def test_every_hop_is_that_of_the_library(visit):
 
 def test_the_table_has_the_numbers_of_the_library(visit):
     motion = hh.simulate(hh.Scenario())
-    kinds = [event.kind for event in motion.events]
-    of = [f"{kind}[{kinds[:k].count(kind)}].{field}" for k, kind in enumerate(kinds) for field in FIELDS]
+    of = counted_names(motion, ("t", "x", "height", "angle"))
     page = turned_on(visit)
     for path in ("plane.mu", "start.speed"):
         page.locator(".more select").select_option(path)
