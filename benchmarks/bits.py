@@ -98,12 +98,12 @@ def compute(how: str, every: int, out: Path) -> None:
 def by_module(how: str, kept: Sequence[object]) -> dict[int, object]:
     """By the kernel's own code, outside of Python; a sentence where something is missing."""
     import bits_kernels
-    from hophoop.lab.wasm.stamp import HERE as MODULE_FOLDER
-    from hophoop.lab.wasm.stamp import MODULE
+    from hophoop.lab.wasm.stamp import HERE, MODULE
+    from module.host import Host
 
     if how == WASMTIME:
         rigid = [each for each in kept if each.kind != "compliant"]
-        return bits_kernels.run_module(bits_kernels.Host(MODULE_FOLDER / MODULE), rigid)
+        return bits_kernels.run_module(Host(HERE / MODULE), rigid)
     if how == CHROMIUM:
         import shutil
 

@@ -17,7 +17,7 @@ import hophoop as hh
 from differences import compare_derivatives
 from hophoop.results.poses import poses_of
 from interrupted import check_restart, check_until
-from oracle_program import compare, draw, essential, highest_apexes, scenario_of
+from oracle_program import compare, draw, essential, highest_apexes, program_events, scenario_of
 from oracles import hybrid, precise
 
 UNTILS = ("takeoff", "reversal", "landings:1", "landings:2", "revolutions:0.5", "angle:2")
@@ -49,13 +49,9 @@ def check_motion(case):
 
 def compare_events(motion, true, digits):
     """Assert that the first events of a motion have so many digits of the true ones."""
-    names = ("t", "x", "height", "angle", "omega")
-    found = [
-        {"kind": event.kind, "to": event.to_mode, **{name: getattr(event, name) for name in names}} for event in motion.events
-    ]
-    for mine, right in zip(essential(found), essential(highest_apexes(true)), strict=False):
+    for mine, right in zip(essential(program_events(motion)), essential(highest_apexes(true)), strict=False):
         assert mine["kind"] == right["kind"], (mine, right["kind"])
-        for name in names:
+        for name in ("t", "x", "height", "angle", "omega"):
             with mp.workdps(2 * DIGITS):
                 known = Fraction(mp.nstr(mp.mpf(right[name]), 2 * DIGITS))
             off = abs(Fraction(mine[name]) - known)

@@ -7,8 +7,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from contextlib import closing
 from pathlib import Path
-from urllib.parse import urlsplit
 
 import numpy as np
 
@@ -22,7 +22,8 @@ from hophoop.kernel.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.kernel.records.cells import CELL, CONTACT
 from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
-from hophoop.lab.wasm.stamp import HERE, MODULE
+from hophoop.lab.wasm.stamp import HERE
+from lab_page_tools import serving
 from module.module_tools import cell_of, given_of
 
 # Processor → how LLVM and zig call it.
@@ -178,22 +179,8 @@ async ({ asked, count, eventBytes }) => {
 
 def run_page(browser, kept):
     """The bits of motions that the page's kernel computes in a browser of playwright's."""
-    files = {
-        "/": ("text/html", b"<!doctype html><title>bits</title>"),
-        **{f"/{path.name}": ("text/javascript", path.read_bytes()) for path in (HERE.parent / "static").glob("*.js")},
-        "/hophoop.wasm": ("application/wasm", (HERE / MODULE).read_bytes()),
-    }
-    page = browser.new_page()
-
-    def answer(route):
-        kind, body = files.get(urlsplit(route.request.url).path, ("text/plain", b""))
-        route.fulfill(content_type=kind, body=body)
-
-    try:
-        page.route("**/*", answer)
-        page.goto("http://bits.test/")
-        asked = json.dumps([given_of(each.scenario) for each in kept])
+    asked = json.dumps([given_of(each.scenario) for each in kept])
+    with closing(browser.new_page()) as page, serving() as address:
+        page.goto(f"{address}static/licences.txt")  # a page that does nothing
         content = page.evaluate(IN_PAGE, {"asked": asked, "count": SAMPLES, "eventBytes": EVENT.itemsize})
-    finally:
-        page.close()
     return parted(base64.b64decode(content), kept)

@@ -19,9 +19,9 @@ WINDOW = {"plane.mu": (0.3, 1.9), "start.speed": (0.3, 4.5)}
 STATE = ("x", "height", "angle", "omega", "slip")
 
 
-def sampled(**parts):
+def sampled():
     """A motion of which everything that it keeps has been asked."""
-    motion = hh.simulate(hh.Scenario(duration=1.0, **parts))
+    motion = hh.simulate(hh.Scenario(duration=1.0))
     motion.at(0.5)
     for name in ("sequence", "events", "fingerprint", "ledger", "units", "doubt"):
         getattr(motion, name)
@@ -39,7 +39,6 @@ OBJECTS = {
     "start": lambda: hh.Start.of(sampled().at(0.5)),
     "hoop of parts": lambda: hh.Hoop.from_parts(0.3, [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)]),
     "motion": sampled,
-    "compliant motion": lambda: sampled(contact=hh.Compliant(stiffness=1e5)),
     "errors": lambda: sampled().errors,
     "sample": lambda: sampled().at([0.1, 0.5]),
     "events": lambda: sampled().events,
@@ -53,7 +52,6 @@ OBJECTS = {
     "theory": lambda: hh.theory.summary(SLOPE),
     "axis quantities": lambda: dict(hh.maps.QUANTITIES),
     "entry of the catalogue": lambda: hh.maps.catalogue()[0],
-    "article": lambda: hh.article.scenarios(),
     "look": lambda: hh.animate.Look(),
     "track": lambda: filmed(hopping(), rate=60.0),
     "fit": lambda: hh.fit(filmed(hopping(), rate=30.0)),

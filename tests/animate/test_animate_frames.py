@@ -53,19 +53,16 @@ def test_several_motions_in_step():
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"fps": 0}, "fps = 0"),
         ({"fps": 2000}, "at most 1000"),
         ({"speed": -1}, "speed = -1"),
         ({"slow_factor": 0}, "slow_factor = 0"),
         ({"slow_width": 0}, "slow_width = 0"),
-        ({"slow_at": ("hop",)}, r"slow_at = 'hop' must be a finite time \(s\) or one of"),
         ({"slow_at": (1.0, math.inf)}, "slow_at = inf must be a finite time"),
         ({"start": math.nan}, "start = nan must be a finite time"),
         ({"end": math.inf}, "end = inf must be a finite time"),
         ({"step": "phase"}, "step = 'phase' must be one of time, angle"),
         ({"start": 3.0}, "start = 3.0"),
         ({"start": 1.0, "end": 0.5}, "end = 0.5"),
-        ({"end": 9.0}, "end = 9.0"),
     ],
 )
 def test_bad_timing_is_refused(options, words):

@@ -3,6 +3,7 @@
 import itertools
 
 import pytest
+from matplotlib.text import Text
 
 from animate_tools import motion
 from hophoop.animate.film2d import Film2D
@@ -34,15 +35,11 @@ LOOKS = {
 
 
 def plotted(sheet):
-    """Words, sizes and rectangles of the texts of the figure."""
-    drawn = [text for legend in sheet.figure.legends for text in legend.get_texts()]
-    for axes in sheet.figure.axes:
-        drawn += [*axes.texts, axes._left_title]
-        drawn += axes.get_legend().get_texts() if axes.get_legend() else []
-        for axis, (least, most) in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
-            if axes.axison:
-                drawn += [axis.label]
-                drawn += [tick.label1 for tick in axis.get_major_ticks() if least <= tick.get_loc() <= most]
+    """Words, sizes and rectangles of the texts that the figure draws."""
+    drawn = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Text, "draw", lambda text, renderer: drawn.append(text))
+        sheet.figure.draw(sheet.renderer)
     return [
         (text.get_text(), text.get_size() * sheet.figure.dpi / 72.0, text.get_window_extent(sheet.renderer).extents)
         for text in drawn

@@ -10,24 +10,18 @@ from rich.console import Console
 
 from cli_tools import done
 from hophoop.cli._options import entries_of
+from kernel_tools import started
 
-START = [sys.executable, "-c", "from hophoop.cli import app; app()"]
+PROGRAM = ("-c", "from hophoop.cli import app; app()")
+START = [sys.executable, *PROGRAM]
+ENVIRONMENT = os.environ | {"HOPHOOP_KERNELS": "interpreted"}
 linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="POSIX only")
-
-
-def environment(**changed):
-    whole = os.environ | {"HOPHOOP_KERNELS": "interpreted"} | changed
-    return {name: value for name, value in whole.items() if value is not None}
-
-
-def run(*words, **changed):
-    return subprocess.run([*START, *words], capture_output=True, env=environment(**changed), check=False)
 
 
 @linux
 def test_a_reader_that_goes_gets_no_traceback():
     words = [*START, "run", "--all", "--restitution", "0.9", "--duration", "60"]
-    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment())
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT)
     process.stdout.read(100)
     process.stdout.close()
     assert process.communicate()[1] == b""
@@ -37,17 +31,17 @@ def test_a_reader_that_goes_gets_no_traceback():
 @pytest.mark.parametrize("words", [["run", "--json"], ["--version"]])
 def test_an_output_that_is_full_is_one_sentence(words):
     with open("/dev/full", "wb") as full:
-        done = subprocess.run([*START, *words], stdout=full, stderr=subprocess.PIPE, env=environment(), check=False)
+        done = subprocess.run([*START, *words], stdout=full, stderr=subprocess.PIPE, env=ENVIRONMENT, check=False)
     assert (done.returncode, done.stderr) == (2, b"Error: No space left on device.\n")
 
 
 @linux
 def test_without_a_home_in_a_terminal_that_knows_no_greek(tmp_path):
-    poor = {"HOME": "/nowhere", "XDG_CACHE_HOME": None, "TMPDIR": str(tmp_path)}
-    done = run("run", LC_ALL="C", PYTHONUTF8="0", PYTHONCOERCECLOCALE="0", PYTHONIOENCODING=None, **poor)
-    assert (done.returncode, done.stderr) == (0, b"")
-    assert b"takeoff" in done.stdout
-    assert done.stdout.isascii()
+    poor = {"HOME": "/nowhere", "XDG_CACHE_HOME": "", "TMPDIR": str(tmp_path), "HOPHOOP_KERNELS": "interpreted"}
+    found = started(*PROGRAM, "run", LC_ALL="C", PYTHONUTF8="0", PYTHONCOERCECLOCALE="0", PYTHONIOENCODING="", **poor)
+    assert (found.returncode, found.stderr) == (0, "")
+    assert "takeoff" in found.stdout
+    assert found.stdout.isascii()
 
 
 def test_forty_columns_without_colours(monkeypatch):

@@ -4,6 +4,7 @@ known record give this record or a refusal."""
 import random
 import re
 import shlex
+from datetime import datetime, timedelta
 from functools import wraps
 
 import numpy as np
@@ -15,6 +16,7 @@ from cli_tools import run
 from hophoop.scenario import InputError
 from hophoop.tracking import Reading, read_track
 from hophoop.tracking.dialects import COMMA_LANGUAGES, ENGLISH, OTHERS
+from tracking.table_tools import saved, table
 
 SAMPLES = DATA / "tables"
 OPTION = re.compile(r"--(?:column|unit|rate|centre|marker) (?:'[^']*'|[^\s',]*[^\s',.:])")
@@ -140,28 +142,19 @@ ANGLE = 0.1 + 6.3 * T + 3.0 * T**2
 X, Y = 0.95 + 0.3 * ANGLE, np.full(40, 0.3)
 LOAD_X, LOAD_Y = X + 0.18 * np.sin(ANGLE), Y + 0.18 * np.cos(ANGLE)
 PLACES = (X, Y, LOAD_X, LOAD_Y)
+HALF_A_DAY = "%I:%M:%S.%f %p"
 
 
-def table(tmp_path, head, *columns, separator=",", name="ours.csv"):
-    """A file of a head and of columns of numbers or words."""
-    cells = [[one if isinstance(one, str) else f"{one:.6f}" for one in column] for column in columns]
-    file = tmp_path / name
-    file.write_text("\n".join([head, *map(separator.join, zip(*cells, strict=True))]), encoding="utf-8")
-    return file
-
-
-def clock(seconds, half=False):
-    hours, rest = divmod(seconds % 86400.0, 3600.0)
-    said = f"{rest // 60:02.0f}:{rest % 60:09.6f}"
-    return f"{(hours + 11) % 12 + 1:.0f}:{said} {'PM' if hours >= 12 else 'AM'}" if half else f"{hours:02.0f}:{said}"
+def clock(seconds, form="%H:%M:%S.%f"):
+    return (datetime(2026, 11, 20) + timedelta(seconds=seconds)).strftime(form)
 
 
 @pytest.mark.parametrize(
     "times",
     [
         [clock(86399.9 + t) for t in T],  # past midnight
-        [f"11/20/2026 {clock(43199.9 + t, half=True)}" for t in T],  # past noon
-        [f"20/11/2026 {clock(46799.9 + t, half=True)}" for t in T],
+        [f"11/20/2026 {clock(43199.9 + t, HALF_A_DAY)}" for t in T],  # past noon
+        [f"20/11/2026 {clock(46799.9 + t, HALF_A_DAY)}" for t in T],
         [f"2026-11-20 {clock(36900.0 + t)}+0100" for t in T],
         [f"20-Nov-2026 {clock(36900.0 + t)}" for t in T],
         [f"{60.0 * 15 + t:.6f}" for t in T],
@@ -227,9 +220,7 @@ def test_objects_below_each_other_are_points(tmp_path, ask):
         f"ID{100 * k + n},{100 * k + n},{n},5.1,{100 * x[k]:.4f},{100 * y[k]:.4f},0.0,{T[k]:.6f},{k}"
         for k in range(40) for n, (x, y) in enumerate(((X, Y), (LOAD_X, LOAD_Y)))
     ]  # fmt: skip
-    file = tmp_path / "spots.csv"
-    file.write_text("\n".join([SPOTS, *rows]), encoding="utf-8")
-    track, words = answered(ask, file)
+    track, words = answered(ask, saved(tmp_path, "\n".join([SPOTS, *rows])))
     assert words == []
     assert "is taken for the centre" in track.notes[0]
     assert track.t == pytest.approx(T, abs=1e-6)

@@ -31,8 +31,8 @@ def on_screen(page):
 def difference(one, other):
     """Mean difference of two pictures below the words, of 255, both at a quarter of the size on the screen."""
     size = (other.width // 4, other.height // 4)
-    a, b = (np.asarray(picture.convert("RGB").resize(size, Image.Resampling.BOX), float) for picture in (one, other))
-    return float(np.abs(a - b)[20:, 40:-40].mean())
+    a, b = (picture.convert("RGB").resize(size, Image.Resampling.BOX) for picture in (one, other))
+    return np.abs(np.subtract(a, b, dtype=float))[20:, 40:-40].mean()
 
 
 @pytest.mark.long

@@ -1,7 +1,8 @@
 """The page on which a person points at the hoop, in a browser: what is clicked is what is tracked."""
 
-import threading
 from dataclasses import replace
+from queue import SimpleQueue
+from threading import Thread
 
 import numpy as np
 import pytest
@@ -34,19 +35,12 @@ def test_clicks_are_hints(new_page, tmp_path):
     """On a phone: another frame is chosen, and clicks are taken back."""
     motion = article_like(duration=0.2)
     film = make(tmp_path / "hoop.mp4", motion, FILM)
-    found, ready, answers, troubles = {}, threading.Event(), [], []
-
-    def show(address):
-        found["address"] = address
-        ready.set()
-
-    thread = threading.Thread(target=lambda: answers.append(pick(film, Hints(ring="dark"), show)), daemon=True)
-    thread.start()
-    assert ready.wait(60)
+    addresses, answers, troubles = SimpleQueue(), SimpleQueue(), []
+    Thread(target=lambda: answers.put(pick(film, Hints(ring="dark"), addresses.put)), daemon=True).start()
     page = new_page(viewport={"width": 390, "height": 760})
     page.set_default_timeout(PATIENCE)
     page.on("pageerror", lambda error: troubles.append(str(error)))
-    page.goto(found["address"])
+    page.goto(addresses.get(timeout=60))
     page.wait_for_function("document.getElementById('still').naturalWidth > 0")
     assert page.locator("h1").inner_text() == "Where is the hoop in hoop.mp4?"
     for said, message in REFUSED:
@@ -86,8 +80,7 @@ def test_clicks_are_hints(new_page, tmp_path):
     click((10, 170), (310, 170))
     send.click()
     page.wait_for_selector("text=Thank you")
-    thread.join(30)
-    (hints,) = answers
+    hints = answers.get(timeout=30)
     assert troubles == []
     assert hints.ring == "dark"
     assert hints.at == pytest.approx(at, abs=1e-3)
