@@ -135,9 +135,8 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
         check(scenario, section)
     cells = np.array([cell_of(scenario) for scenario in scenarios], float).reshape(len(scenarios), -1).T
     codes, _ = judged(np.ascontiguousarray(cells), Request(SECTIONS.index(section), count, FOREVER, PANELS, True))
-    columns = {name: codes[:, CODES.index(name)] for name in CODES}
-    decided = tuple(FATE_CODES[code] for code in columns["fate"])
-    return Judgement(decided, columns["period"], columns["hops"], columns["turns"], columns["passages"])
+    decided, periods, hops, followed, _, turns = codes.T  # as CODES
+    return Judgement(tuple(FATE_CODES[code] for code in decided), periods, hops, turns, followed)
 
 
 def judged(cells: NDArray[np.float64], request: Request) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

@@ -238,7 +238,7 @@ def _starts(scenario: Scenario, starts: int | Sequence[float]) -> list[Start]:
     if isinstance(starts, int):
         ahead = -1.0 if scenario.plane.slope < 0.0 else 1.0
         over = math.sqrt(2.0) * slowest_over_top(scenario)  # just over the top, on the level
-        low = over if over > 0.0 else 0.1 * FASTEST["bottom"]
+        low = over or 0.1 * FASTEST["bottom"]
         rates = (ahead * unit * np.linspace(1.05 * low, 2.0 * low, starts)).tolist()
     else:
         rates = [float(rate) for rate in starts]
@@ -283,10 +283,8 @@ def _described(found: Passages, section: str) -> Attractor:
         return Attractor(fate)
     speed = float(found.x[-1] - found.x[-1 - back]) / float(found.t[-1] - found.t[-1 - back])
     omega = found.omega[-kept:].copy() if found.section == section else np.empty(0)
-    seen = Attractor(fate, speed=speed, omega=omega)
-    if fate != Fate.GAIT:
-        return seen
-    return seen._replace(period=period, hops=int(found.hops[-period:].sum()), sequence="·".join(found.sequences[-period:]))
+    sequence = "·".join(found.sequences[-period:]) if period else ""
+    return Attractor(fate, period, int(found.hops[len(found) - period :].sum()), sequence, speed, omega=omega)
 
 
 def _judged(seen: Attractor, found: Passages) -> Attractor:
