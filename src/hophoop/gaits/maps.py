@@ -116,11 +116,17 @@ class Image(NamedTuple):
 
     rows: Floats  # of the passages, as the kernel writes them
     words: NDArray[np.uint64]
-    turns: int  # revolutions
+    angle: float  # θ at the start
 
     def word(self, k: int) -> bytes:
         """Return what is the same on a piece of the map up to passage k, if there is one: phases, mode, branches of impacts."""
         return b"".join((self.words[k : k + 1].tobytes(), self.rows[k : k + 1, PIECE].tobytes()))
+
+    @property
+    def turns(self) -> int:
+        """Revolutions from the start to the last passage."""
+        last = self.rows[-1]
+        return round(float(last[TURNS]) + (float(last[THETA]) - self.angle) / TWO_PI)
 
     @property
     def key(self) -> tuple[bytes, bytes, int]:
@@ -194,9 +200,7 @@ class SectionMap:
             start = start_state(0.0, 0.0, th, vt, vn, om)
             request = Request(SECTIONS.index(self.section), most, FOREVER, PANELS, False)
             found = compiled(follow_passages)(body, start, mode, request, buffers, self._scratch)[1]
-        rows = buffers.numbers[:found].copy()
-        turns = round(float(rows[-1, TURNS]) + (float(rows[-1, THETA]) - th) / TWO_PI) if found else 0
-        return Image(rows, buffers.words[:found].copy(), turns)
+        return Image(buffers.numbers[:found].copy(), buffers.words[:found].copy(), th)
 
     def __call__(self, point: Floats) -> Image:
         """Return the image of a point."""
@@ -399,7 +403,7 @@ def lyapunov_of(found: Passages) -> Lyapunov:
     """Return the mean rate at which near motions separate, by differences from passage to passage; nan without two."""
     section, growth, vector = found.section, [], np.empty(0)
     image_of = SectionMap(found.scenario, section=section)
-    image = Image(found.numbers, found.packed, 0)
+    image = Image(found.numbers, found.packed, math.nan)
     for k in range(int(TRANSIENT * len(found)), len(found) - 1):
         point, after = (place_of(section, row) for row in found.numbers[k : k + 2])
         if len(vector) != len(point):

@@ -198,7 +198,9 @@ class Known(NamedTuple):
 def known(image: SectionMap, omega: float) -> Known:
     """Return the map at θ̇."""
     found = image(np.array([omega]))
-    after, turns = found.rows[-1, [OMEGA, TURNS]].tolist() if image.comes_back(found) else (math.nan, 0.0)
+    after, turns = math.nan, 0.0
+    if image.comes_back(found):
+        after, turns = float(found.rows[-1, OMEGA]), float(found.rows[-1, TURNS])
     return Known(omega, after, (found.words.tobytes(), turns))
 
 
