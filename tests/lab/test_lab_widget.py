@@ -32,6 +32,10 @@ def test_the_widget_carries_its_motion(widget, motion):
     assert widget.given == widget.query == "start.speed=2"
 
 
+def test_all_that_the_page_needs_travels_with_the_notebook(widget):
+    assert {"given", "panels", "scripts", "module", "words", "query"} <= set(widget.get_state())
+
+
 def test_the_widget_sends_the_module_of_fates_when_it_is_asked_for(widget):
     widget._answer(widget, {"number": 0.5}, [])
     ((content, buffers),) = widget.sent
