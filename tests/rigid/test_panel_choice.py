@@ -34,6 +34,15 @@ def chosen(body, sigma, state, level=2):
     return panel, totals, after, scratch.counts[PANELS]
 
 
+def test_how_much_narrower_the_next_panel_is():
+    """By √2 a level, which gains 2⁸; never by more than four levels at once, and by three where nothing is known."""
+    narrower = panel_choice.narrower_level
+    for size, more in ((1.0, 3), (math.nan, 3), (0.99, 4), (2.0**25, 3), (2.0**-9, 4)):
+        assert narrower(7, size) == 7 + more
+    for power, more in ((0.5, 1), (7.5, 1), (8.5, 2), (23.5, 3), (24.5, 4), (36.5, 4)):
+        assert narrower(7, RESOLVED * 2.0**power) == 7 + more
+
+
 def start_before(th, ahead):
     """The state at θ of rolling that turns after the angle `ahead`, by D θ̇² + 2 ε cos θ."""
     u = (math.cos(th + ahead) - math.cos(th)) / (2.0 + math.cos(th))
