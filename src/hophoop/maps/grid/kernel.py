@@ -34,13 +34,8 @@ NUMBERS = (
     "greatest_utilization", "takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance",
     "landing_angle", "landing_loss",
 )  # fmt: skip
-(
-    TIME, END_ANGLE, END_SPEED, DISTANCE, DISTANCE_ROLLED, REVOLUTIONS_TO_ROLLING, ENERGY_LOST,
-    GREATEST_UTILIZATION, TAKEOFF_TIME, TAKEOFF_ANGLE, HOP_HEIGHT, FLIGHT_TIME, FLIGHT_DISTANCE,
-    LANDING_ANGLE, LANDING_LOSS,
-) = range(len(NUMBERS))  # fmt: skip
 WORDS = ("status", "ending", "first_event", "hop", "painleve")
-STATUS_WORD, ENDING_WORD, FIRST_EVENT_WORD, HOP_WORD, PAINLEVE_WORD = range(len(WORDS))
+NO_FLIGHT = (math.nan,) * 7  # the last of the numbers
 
 # How a span ended; the last four are those of `Status` that are not COMPLETED, in its order.
 ENDINGS = ("duration", "revolutions", "reversal", "takeoff", "rest", "jam", "undetermined", "event_limit")
@@ -78,32 +73,27 @@ class Workspace(NamedTuple):
     scratch: Any
 
 
-def leaves_plane(row):
-    """Return True if the rim leaves the plane at this event."""
-    return row["after_mode"] == Mode.FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and row["kind"] not in PASSING
-
-
-def reduce_flight(motion, hop, scales, workspace, numbers, k):
-    """Write height, time, distance, landing angle and loss of the hop that starts at an event."""
+def reduce_flight(motion, hop, scales, workspace):
+    """Return the numbers of the hop that starts at an event, from its take-off to the loss of its landing."""
     body = motion.body
     row = motion.events[hop]
-    numbers[k, TAKEOFF_TIME] = row["t"] * scales.time
-    numbers[k, TAKEOFF_ANGLE] = row["angle"]
+    begins = row["t"] * scales.time
+    unknown = (begins, row["angle"], math.nan, math.nan, math.nan, math.nan, math.nan)
     state = state_of(row)
     if body.gn == 0.0:
-        return
+        return unknown
     f_n, vanishing = flight_start(body, state, False)
     log = new_log(workspace.passing, workspace.segments, workspace.scratch)
     ending, landed = fly(body, state, f_n, vanishing, limits_of(state, FOREVER, math.nan, 0, 0), log)
     if ending != Ending.LANDING:
-        return
-    numbers[k, HOP_HEIGHT] = (workspace.passing[0]["height"] if log.counts[EVENTS] > 0 else 0.0) * scales.length
-    numbers[k, FLIGHT_TIME] = (landed.t - state.t) * scales.time
-    numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * scales.length
-    numbers[k, LANDING_ANGLE] = whole_angle(landed)
+        return unknown
+    height = workspace.passing[0]["height"] if log.counts[EVENTS] > 0 else 0.0
     after, _ = collide(body, body.rest, landed, Event.IMPACT, Mode.FLIGHT, 1)
     loss = (after.impact_n - landed.impact_n) + (after.impact_t - landed.impact_t)
-    numbers[k, LANDING_LOSS] = loss * scales.energy
+    return (
+        begins, row["angle"], height * scales.length, (landed.t - state.t) * scales.time,
+        (landed.x - state.x) * scales.length, whole_angle(landed), loss * scales.energy,
+    )  # fmt: skip
 
 
 def first_beyond(events, count, angle_span):
@@ -138,7 +128,9 @@ def ending_of(motion, request):
 def first_hop(events, count):
     """Return the index of the event at which the rim first leaves the plane, or -1."""
     for i in range(count):
-        if leaves_plane(events[i]):
+        row = events[i]
+        touches = row["height"] == 0.0 and not row["vy"] < 0.0
+        if row["after_mode"] == Mode.FLIGHT and touches and row["kind"] not in PASSING:
             return i
     return -1
 
@@ -180,24 +172,23 @@ def reduce_motion(motion, request, hop, scales, workspace, results, k):
         length = add_letter(sequences, k, length, mode)
     start = events[0]
     end = events[last]
-    words[k, STATUS_WORD] = Status.COMPLETED if motion.cut else motion.status
-    words[k, ENDING_WORD] = ending
-    words[k, FIRST_EVENT_WORD] = Event.TAKEOFF if motion.cut and first < 0 else first
-    words[k, HOP_WORD] = 1 if hop >= 0 else 0
-    words[k, PAINLEVE_WORD] = painleve
-    numbers[k, TIME] = ended * scales.time
-    numbers[k, END_ANGLE] = end["angle"]
-    numbers[k, END_SPEED] = end["vx"] * scales.speed
-    numbers[k, DISTANCE] = (end["x"] - start["x"]) * scales.length
-    numbers[k, DISTANCE_ROLLED] = rolled * scales.length
-    if mode == Mode.ROLL and ending <= BY_REST:
-        numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - start["angle"]) / (2.0 * math.pi)
+    revolutions = abs(rolling_since - start["angle"]) / (2.0 * math.pi) if mode == Mode.ROLL and ending <= BY_REST else math.nan
     lost = end["friction"] + end["impact_normal"] + end["impact_tangential"] + end["rolling_resistance"]
-    numbers[k, ENERGY_LOST] = lost * scales.energy
-    if request.quantities & UTILIZATION_REQUESTED:
-        numbers[k, GREATEST_UTILIZATION] = greatest_utilization(motion, workspace.scratch)
+    used = greatest_utilization(motion, workspace.scratch) if request.quantities & UTILIZATION_REQUESTED else math.nan
+    flight = NO_FLIGHT
     if hop >= 0 and request.quantities & FLIGHT_REQUESTED:
-        reduce_flight(motion, hop, scales, workspace, numbers, k)
+        flight = reduce_flight(motion, hop, scales, workspace)
+    whole = (
+        ended * scales.time, end["angle"], end["vx"] * scales.speed, (end["x"] - start["x"]) * scales.length,
+        rolled * scales.length, revolutions, lost * scales.energy, used,
+    )  # fmt: skip
+    found = whole + flight
+    for i in range(len(found)):
+        numbers[k, i] = found[i]
+    status = Status.COMPLETED if motion.cut else motion.status
+    coded = (status, ending, Event.TAKEOFF if motion.cut and first < 0 else first, 1 if hop >= 0 else 0, painleve)
+    for i in range(len(coded)):
+        words[k, i] = coded[i]
 
 
 def evaluate_cell(cells, k, request, events, segments, workspace, results):

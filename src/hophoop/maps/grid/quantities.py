@@ -105,8 +105,7 @@ SETTLED: Mapping[str, Quantity] = {
 }
 """Quantities of the spans `settled` and `settled:landing`."""
 
-_OF_FLIGHT = {"hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss", "takeoff_time",
-              "takeoff_angle"}  # fmt: skip
+_OF_FLIGHT = {*kernel.NUMBERS[-len(kernel.NO_FLIGHT) :]}
 
 
 def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
