@@ -31,15 +31,18 @@ def serving(**options):
         server.shutdown()
 
 
+AXE = "async () => (await axe.run(document)).violations.map(({ impact, id, nodes }) => [impact, id, nodes[0].html])"
+
+
 def accessible(page):
-    """What axe-core finds, where HOPHOOP_AXE names its axe.min.js (npm install axe-core)."""
+    """What axe-core finds, with its impact, where HOPHOOP_AXE names its axe.min.js (npm install axe-core)."""
     if not os.environ.get("HOPHOOP_AXE"):
         return []
     # evaluated, not put into the page: a policy that allows nothing foreign stays in force
     page.evaluate(Path(os.environ["HOPHOOP_AXE"]).read_text(encoding="utf-8"))
     # on the way from one colour to another, contrast is neither's
     page.wait_for_function("() => !document.getAnimations().some((one) => one instanceof CSSTransition)")
-    return page.evaluate("async () => (await axe.run(document)).violations.map((one) => [one.id, one.nodes[0].html])")
+    return page.evaluate(AXE)
 
 
 def expect(locator):

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from lab_page_tools import accessible
 from page_tools import text_sizes
 
 WIDTHS = (1280, 375)
@@ -175,20 +176,13 @@ def test_axe_finds_nothing_serious_in_the_report(new_page, scheme):
 
 
 def serious(new_page, address, scheme="light"):
-    """Rules that axe-core finds broken, of serious or critical impact, with the elements that break them."""
-    script = os.environ.get("HOPHOOP_AXE")
-    if script is None:
+    """Rules that axe-core finds broken, of serious or critical impact, each with an element that breaks it."""
+    if "HOPHOOP_AXE" not in os.environ:
         pytest.skip("HOPHOOP_AXE names no axe.min.js (npm install axe-core)")
     page = new_page(color_scheme=scheme)
     page.goto(address)
     page.wait_for_load_state("networkidle")
-    page.evaluate(Path(script).read_text(encoding="utf-8"))
-    found = page.evaluate("axe.run({resultTypes: ['violations']})")["violations"]
-    return [
-        (each["id"], sorted(" ".join(node["target"]) for node in each["nodes"]))
-        for each in found
-        if each["impact"] in ("serious", "critical")
-    ]
+    return [found for found in accessible(page) if found[0] in ("serious", "critical")]
 
 
 def test_the_lab_beside_the_pages_computes(address, new_page):

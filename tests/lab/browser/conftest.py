@@ -2,7 +2,6 @@
 
 import json
 import os
-from urllib.parse import urlsplit
 
 import pytest
 
@@ -11,6 +10,7 @@ from lab_page_tools import PATIENCE, serving
 from slow_page import delaying
 
 DELAYS = os.environ.get("HOPHOOP_PAGE_DELAYS", "")  # a seed: every page of these tests is delayed at random
+OWN = ("http://127.0.0.1:", "data:", "blob:", "about:")
 SLOWER = 2  # more costs the processor as much, and the delays already change the order
 # As for those who have asked for everything before: the simple view, and what opens it, have tests of their own.
 EVERYTHING = "try { localStorage['hophoop-view'] ??= 'everything'; } catch { /* no storage */ }"
@@ -45,13 +45,19 @@ def windows():
     return {}
 
 
+@pytest.fixture(scope="session")
+def troubles():
+    """What has gone wrong in the pages of a test."""
+    return []
+
+
 @pytest.fixture
-def visit(browser, new_page, windows, address, request):
+def visit(browser, new_page, windows, troubles, address, request):
     """Opens a page, with empty storage; at the end nothing may have gone wrong in any of them.
 
     A test that adds routes or scripts to its page asks for one of its `own`.
     """
-    heard, troubles = [], []
+    visited, allowed = set(), []
     seed = getattr(request, "param", None) or DELAYS
 
     def open_page(query="", ready=True, expected=(), script="", simple=False, own=False, **options):
@@ -70,32 +76,23 @@ def visit(browser, new_page, windows, address, request):
                 page.add_init_script(script)
             if kind:
                 windows[kind] = page
+            page.on("pageerror", lambda error: troubles.append(f"page: {error}"))
+            page.on("console", lambda said: said.type == "error" and troubles.append(f"console: {said.text}"))
+            page.on("request", lambda asked: asked.url.startswith(OWN) or troubles.append(f"left loopback: {asked.url}"))
         page.set_viewport_size(options["viewport"])
-
-        def console(said):
-            if said.type == "error" and not any(part in said.text for part in expected):
-                troubles.append(f"console: {said.text}")
-
-        def asked(request):
-            parts = urlsplit(request.url)
-            if parts.scheme in ("http", "https", "ws", "wss") and parts.hostname != "127.0.0.1":
-                troubles.append(f"left loopback: {request.url}")
-
-        hears = {"pageerror": lambda error: troubles.append(f"page: {error}"), "console": console, "request": asked}
-        for name, hear in hears.items():
-            page.on(name, hear)
-        heard.append((page, hears))
+        visited.add(page)
+        allowed.extend(expected)
         page.goto(address + query)
         if ready:
             page.wait_for_selector("[data-ready]")
         return page
 
     yield open_page
-    for page, hears in heard:
+    for page in visited:
         page.evaluate("0")  # what was said before is heard
-        for name, hear in hears.items():
-            page.remove_listener(name, hear)
-    for page in {page for page, _ in heard} & set(windows.values()):
+    found = [trouble for trouble in troubles if not any(part in trouble for part in allowed)]
+    for page in visited & {*windows.values()}:
         page.goto(f"{address}static/x")  # nothing, which writes no more
         page.evaluate("localStorage.clear(); sessionStorage.clear()")
-    assert troubles == []
+    troubles.clear()
+    assert found == []
