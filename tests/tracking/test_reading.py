@@ -11,7 +11,7 @@ from checkout import text_of
 from hophoop.scenario import InputError
 from hophoop.tracking import Camera, Reading, View, read_track
 from hophoop.tracking.table import COLUMNS, track_of
-from tracking.table_tools import saved, table
+from tracking.table_tools import assert_read, saved, table
 
 T = np.arange(8) / 100.0
 X = 0.95 + 1.7 * T
@@ -28,23 +28,21 @@ TWO_POINTS = (T, X, Y, LOAD_X, LOAD_Y)
 @pytest.mark.parametrize(
     ("head", "separator", "form", "decimal"),
     [
-        ('"Latest: Time (s)","Latest: X (m)","Latest: Y (m)","Latest: X 2 (m)","Latest: Y 2 (m)"', ",", "{:.5f}", "."),
-        ("Data Set 1:Time(s),Data Set 1:X(m),Data Set 1:Y(m),Data Set 1:X 2(m),Data Set 1:Y 2(m)", ",", "{:.5f}", "."),
-        ("Time (s) Run #1;x (m) Run #1;y (m) Run #1;load x (m) Run #1;load y (m) Run #1", ";", "{:.5f}", ","),
+        ('"Latest: Time (s)","Latest: X (m)","Latest: Y (m)","Latest: X 2 (m)","Latest: Y 2 (m)"', ",", "{:.6f}", "."),
+        ("Data Set 1:Time(s),Data Set 1:X(m),Data Set 1:Y(m),Data Set 1:X 2(m),Data Set 1:Y 2(m)", ",", "{:.6f}", "."),
+        ("Time (s) Run #1;x (m) Run #1;y (m) Run #1;load x (m) Run #1;load y (m) Run #1", ";", "{:.6f}", ","),
         ("# t x y marker_x marker_y", " ", "{:.18e}", "."),
-        ("t / s; x / m; y / m; load x in m; load_y_m", ";", " {:.5f}", ","),
-        ("t;x;y;load x;load y\n(sec);(Meters);(meter);(M);(m)", ";", "{:.5f}", ","),
+        ("t / s; x / m; y / m; load x in m; load_y_m", ";", " {:.6f}", ","),
+        ("t;x;y;load x;load y\n(sec);(Meters);(meter);(M);(m)", ";", "{:.6f}", ","),
         # Tracker: one point beside the other, a delimiter behind each cell
         ("#multi:\n\thub\t\tload\t\nt\tx\ty\tx\ty\t", "\t", "{:.6E}", "."),
         ("#multi:\n;hub;;load;\nt;x;y;x;y;", ";", "{:.6E}", ","),
-        ("Our hoop with its load;;;;\nt;x;y;load_x;load_y", ";", "{:.5f}", ","),
+        ("Our hoop with its load;;;;\nt;x;y;load_x;load_y", ";", "{:.6f}", ","),
     ],
 )  # fmt: skip
 def test_the_layouts_of_programs(tmp_path, head, separator, form, decimal):
     track = read_track(table(tmp_path, head, *TWO_POINTS, separator=separator, form=form, decimal=decimal), Reading(radius=0.3))
-    assert track.t == pytest.approx(T)
-    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-5)
-    assert track.marker == pytest.approx(np.stack([LOAD_X, LOAD_Y], axis=-1), abs=1e-5)
+    assert_read(track, t=T, x=X, y=Y, marker_x=LOAD_X, marker_y=LOAD_Y)
     assert track.angle == pytest.approx(ANGLE, abs=1e-4)
     assert (track.placed, track.radius) == (False, 0.3)
 
@@ -60,9 +58,7 @@ def test_the_layouts_of_programs(tmp_path, head, separator, form, decimal):
 def test_units_in_any_case_and_the_encodings_of_spreadsheets(tmp_path, encoding, head, columns):
     text = table(tmp_path, head, *columns).read_text(encoding="utf-8")
     track = read_track(saved(tmp_path, text, encoding))
-    assert track.t == pytest.approx(T)
-    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
-    assert track.angle == pytest.approx(ANGLE, abs=1e-5)
+    assert_read(track, t=T, x=X, angle=ANGLE)
 
 
 @pytest.mark.parametrize(
@@ -107,17 +103,15 @@ def test_a_table_marked_by_hand(tmp_path):
     with pytest.raises(InputError, match=r"numbers of frames instead of times; its columns are picture, hub x px, .* --rate"):
         read_track(file, Reading(radius=0.3))
     track = read_track(file, Reading(radius=0.3, rate=100.0, units={"x": "m", "y": "-m"}))
-    assert track.t == pytest.approx(3.12 + T)
-    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-5)
-    assert track.marker == pytest.approx(np.stack([LOAD_X, LOAD_Y], axis=-1), abs=1e-5)
+    assert_read(track, t=3.12 + T, x=X, y=Y, marker_x=LOAD_X, marker_y=LOAD_Y)
 
 
 def test_the_second_point_may_be_the_centre(tmp_path):
     file = table(tmp_path, "t,x,y,x 2,y 2", T, LOAD_X, LOAD_Y, X, Y)
     track = read_track(file)
-    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
+    assert_read(track, x=X)
     assert "x 2 is taken for the centre and x, which rises and falls more, for the marker" in track.notes[0]
-    assert read_track(file, Reading(marker="x 2")).marker[:, 0] == pytest.approx(X, abs=1e-5)
+    assert_read(read_track(file, Reading(marker="x 2")), marker_x=X)
 
 
 def test_hidden_marks_and_frames_that_were_stepped_over(tmp_path):
@@ -157,13 +151,13 @@ def test_a_phone_gives_its_angular_velocity(tmp_path, head, separator, decimal):
     columns = (T, 0.01 * omega, 0.1 + 0 * T, omega, np.abs(omega))
     file = table(tmp_path, head, *columns, separator=separator, form="{:.9E}", decimal=decimal)
     track = read_track(file)
-    assert track.omega == pytest.approx(-omega)
+    assert_read(track, omega=-omega)
     assert np.isnan([*track.angle, *track.centre[:, 0]]).all()
     assert set(track.state) == {"found"}
     names = [name.strip('"') for name in head.split(separator)]
     assert track.notes[0].startswith(f"The angular velocity is that of {names[3]}, the axis with the most rotation;")
     assert track.notes[1] == f"The sign of {names[3]} is reversed, for a hoop that rolls to the right."
-    assert read_track(file, Reading(columns={"omega": names[2]})).omega == pytest.approx([0.1] * 8)
+    assert_read(read_track(file, Reading(columns={"omega": names[2]})), omega=[0.1] * 8)
 
 
 def test_a_jump_of_a_whole_turn_is_none(tmp_path):
@@ -173,8 +167,7 @@ def test_a_jump_of_a_whole_turn_is_none(tmp_path):
 
 def test_a_window_of_time(tmp_path):
     track = read_track(table(tmp_path, "t,x,y", T, X, Y), Reading(since=0.02, until=0.05))
-    assert track.t == pytest.approx([0.02, 0.03, 0.04, 0.05])
-    assert track.centre[:, 0] == pytest.approx(X[2:6], abs=1e-5)
+    assert_read(track, t=[0.02, 0.03, 0.04, 0.05], x=X[2:6])
     assert track.state == ("no marker",) * 4
 
 
@@ -182,9 +175,8 @@ def test_the_table_of_the_docs_is_read(tmp_path):
     text = text_of("docs/film.md")
     rows = text.partition("```text\nt (s);")[2].partition("```")[0]
     track = read_track(saved(tmp_path, "t (s);" + rows))
-    assert track.t == pytest.approx([0.0, 0.008, 0.025])  # a row without a mark is left out
-    assert track.centre == pytest.approx(np.array([[0.001, 0.3], [0.017, 0.3], [0.05, 0.3]]))
-    assert track.angle == pytest.approx(np.radians([0.0, 3.0, 9.0]))
+    # a row without a mark is left out
+    assert_read(track, t=[0.0, 0.008, 0.025], x=[0.001, 0.017, 0.05], y=[0.3] * 3, angle=np.radians([0.0, 3.0, 9.0]))
 
 
 def test_a_saved_track_is_the_same(tmp_path):

@@ -16,7 +16,7 @@ from cli_tools import run
 from hophoop.scenario import InputError
 from hophoop.tracking import Reading, read_track
 from hophoop.tracking.dialects import COMMA_LANGUAGES, ENGLISH, OTHERS
-from tracking.table_tools import saved, table
+from tracking.table_tools import assert_read, saved, table
 
 SAMPLES = DATA / "tables"
 OPTION = re.compile(r"--(?:column|unit|rate|centre|marker) (?:'[^']*'|[^\s',]*[^\s',.:])")
@@ -174,7 +174,7 @@ def test_clocks_that_count_frames_need_the_rate(tmp_path, ask):
     file = table(tmp_path, "Time (hh:mm:ss:ff);x;y", times, X, Y, separator=";")
     track, words = answered(ask, file)
     assert words == ["--rate", "60"]
-    assert track.t == pytest.approx(np.arange(40) / 60.0)
+    assert_read(track, t=np.arange(40) / 60.0)
     assert ask(file, ["--rate", "25"])[1]
 
 
@@ -199,14 +199,14 @@ def test_repeated_times_and_bursts_are_counted_by_a_rate(tmp_path, ask, t, rate)
     track, words = answered(ask, table(tmp_path, "t (s),x,y,marker x,marker y", t, *PLACES))
     assert words[0] == "--rate"
     assert float(words[1]) == pytest.approx(rate, rel=0.03)
-    assert track.t == pytest.approx(np.arange(40) / float(words[1]))
+    assert_read(track, t=np.arange(40) / float(words[1]))
     assert "The rows are counted" in track.notes[0]
 
 
 def test_numbers_of_frames_as_times_are_asked_about(tmp_path, ask):
     track, words = answered(ask, table(tmp_path, "t,x,y", map(str, range(40)), X, Y))
     assert words == ["--rate", "240"]
-    assert track.t == pytest.approx(np.arange(40) / 240.0)
+    assert_read(track, t=np.arange(40) / 240.0)
 
 
 SPOTS = """LABEL,ID,TRACK_ID,QUALITY,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME
@@ -223,23 +223,21 @@ def test_objects_below_each_other_are_points(tmp_path, ask):
     track, words = answered(ask, saved(tmp_path, "\n".join([SPOTS, *rows])))
     assert words == []
     assert "is taken for the centre" in track.notes[0]
-    assert track.t == pytest.approx(T, abs=1e-6)
-    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
-    assert track.marker[:, 1] == pytest.approx(LOAD_Y, abs=1e-5)
+    assert_read(track, t=T, x=X, marker_y=LOAD_Y)
 
 
 def test_the_same_heads_twice_are_named_by_their_numbers(tmp_path, ask):
     file = table(tmp_path, "t,x,y,x,y", T, *PLACES)
     track, words = answered(ask, file)
     assert words == ["--column", "x=2", "--column", "y=3"]
-    assert track.centre[:, 0] == pytest.approx(X, abs=1e-6)
+    assert_read(track, x=X)
     numbers = {"x": "2", "y": "3", "marker_x": "4", "marker_y": "5"}
-    assert read_track(file, Reading(columns=numbers)).marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
+    assert_read(read_track(file, Reading(columns=numbers)), marker_x=LOAD_X)
 
 
 def test_a_run_with_times_of_its_own_is_chosen_by_them(tmp_path):
     file = table(tmp_path, "t,x,y,t,x,y", T, X, Y, 2.0 * T, X, Y)
-    assert read_track(file, Reading(columns={"t": "4"})).t == pytest.approx(2.0 * T, abs=1e-6)
+    assert_read(read_track(file, Reading(columns={"t": "4"})), t=2.0 * T)
 
 
 def test_a_marker_alone_is_no_centre(tmp_path):
@@ -254,7 +252,7 @@ def test_axes_of_an_accelerometer_are_no_places(tmp_path, ask):
     heads = "t,accelerometer x,accelerometer y,accelerometer z,gyroscope z (rad/s)"
     track = read_track(table(tmp_path, heads, T, *noise, 6.3 + 6.0 * T))
     assert np.isnan(track.centre).all()
-    assert track.omega == pytest.approx(6.3 + 6.0 * T, abs=1e-5)
+    assert_read(track, omega=6.3 + 6.0 * T)
     _, question = ask(table(tmp_path, "t,x,y", T, *noise[:2]))
     assert "neither moves nor is at the height of the radius" in question
     assert ask(table(tmp_path, "t,x,y", T, X, Y))[1] == ""
@@ -273,17 +271,14 @@ def test_axes_of_an_accelerometer_are_no_places(tmp_path, ask):
 )
 def test_heads_of_school_books(tmp_path, head):
     track = read_track(table(tmp_path, head, T, 100.0 * X, 100.0 * Y, ANGLE, separator=";"))
-    assert track.t == pytest.approx(T, abs=1e-6)
-    assert track.centre[:, 0] == pytest.approx(X, abs=1e-5)
-    assert track.angle == pytest.approx(ANGLE, abs=1e-5)
+    assert_read(track, t=T, x=X, angle=ANGLE)
 
 
 def test_tracks_of_imagej_below_each_other_are_points(tmp_path):
     places = [(1, k + 1, *at) for k, at in enumerate(zip(X, Y, strict=True))]
     places += [(2, k + 1, *at) for k, at in enumerate(zip(LOAD_X, LOAD_Y, strict=True))]
     track = read_track(table(tmp_path, "Track n°,Slice n°,X,Y", *zip(*places, strict=True)), Reading(rate=120.0))
-    assert track.centre[:, 0] == pytest.approx(X, abs=1e-6)
-    assert track.marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
+    assert_read(track, x=X, marker_x=LOAD_X)
 
 
 @pytest.mark.parametrize(
@@ -301,7 +296,7 @@ def test_sensors_without_usual_names_are_asked_about_at_most_for_units(tmp_path,
     track, words = answered(ask, table(tmp_path, head, 1000.0 * T + 5e4, *rates))
     assert words[::2] == ["--unit"] * (len(words) // 2)
     assert track.t - track.t[0] == pytest.approx(T - T[0], abs=1e-6)
-    assert track.omega == pytest.approx(np.radians(rates[1]), abs=1e-5)
+    assert_read(track, omega=np.radians(rates[1]))
 
 
 @pytest.mark.parametrize("zero", ["０", "٠", "۰"])
@@ -310,7 +305,7 @@ def test_digits_of_other_scripts(tmp_path, zero):
     head, _, body = file.read_text(encoding="utf-8").partition("\n")
     digits = {ord(str(k)): chr(ord(zero) + k) for k in range(10)}
     file.write_text(f"{head}\n{body.translate(digits)}", encoding="utf-8")
-    assert read_track(file).centre[:, 0] == pytest.approx(X, abs=1e-5)
+    assert_read(read_track(file), x=X)
 
 
 @pytest.mark.parametrize("unit", ["", " (cm)", " (px)"])
@@ -326,16 +321,14 @@ def test_lengths_that_no_hoop_has_are_asked_about(tmp_path, ask, unit):
     "head", ["# t x y marker_x marker_y", "#made by hand\n#t x y marker_x marker_y\n# the hoop of group 3 in the yard"]
 )
 def test_comments_are_heads_where_they_are_the_only_ones(tmp_path, head):
-    track = read_track(table(tmp_path, head, T, *PLACES, separator=" "))
-    assert track.marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
-    track = read_track(table(tmp_path, "# a b c d e\nt x y marker_x marker_y", T, *PLACES, separator=" "))
-    assert track.marker[:, 0] == pytest.approx(LOAD_X, abs=1e-6)
+    for lines in (head, "# a b c d e\nt x y marker_x marker_y"):
+        assert_read(read_track(table(tmp_path, lines, T, *PLACES, separator=" ")), marker_x=LOAD_X)
 
 
 def test_three_digits_after_a_comma_are_decimals_where_the_language_has_decimal_commas(tmp_path):
     cells = [[f"{100.0 * value:.3f}".replace(".", ",") for value in column] for column in (X, Y)]
     file = table(tmp_path, "frame\tMitte x (cm)\tMitte y (cm)", map(str, range(7, 47)), *cells, separator="\t")
-    assert read_track(file, Reading(rate=120.0)).centre[:, 0] == pytest.approx(X, abs=1e-5)
+    assert_read(read_track(file, Reading(rate=120.0)), x=X)
 
 
 def test_each_word_has_one_meaning_in_one_language():
@@ -400,7 +393,7 @@ def test_random_layouts_are_read_right_or_refused(tmp_path):
             refused.append(str(error))
             continue
         assert track.t - track.t[0] == pytest.approx(T, abs=1e-5)
-        assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), abs=1e-5)
+        assert_read(track, x=X, y=Y)
         there = np.isfinite(track.marker[:, 0])
         assert there.sum() >= 39
         assert track.marker[there] == pytest.approx(np.stack([LOAD_X, LOAD_Y], axis=-1)[there], abs=1e-5)
