@@ -272,6 +272,8 @@ def test_a_robust_circle_does_not_mind_strangers():
     size[:100] += rng.uniform(0.5, 4, 100)
     fit = robust_circle(size * np.exp(1j * around), Circle(1.0 - 1.0j, 60.0), 6.0)
     assert fit.circle == pytest.approx((0.0, 60.0), abs=0.05)
+    inner = robust_circle(size * np.exp(1j * around), Circle(0j, 54.0), 9.0)
+    assert inner.circle == pytest.approx((0.0, 60.0), abs=0.05)
     assert not fit.inside[size > 62.0].any()
     assert np.sqrt(fit.covariance[0, 0]) == pytest.approx(0.15 * np.sqrt(2 / 200), rel=0.5)
 

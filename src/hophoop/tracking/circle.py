@@ -61,7 +61,10 @@ def robust_circle(
     its error, for a fit to a part of the rim [pixel]; oval: expected amplitudes and their error, for the ellipse that is the
     picture of a tilted circle [pixel]; fit: None if the points are not on a circle.
     """
-    found = np.array([start.centre.real, start.centre.imag, start.radius, *oval[:2]])
+    if len(points) < 8:
+        return None
+    size = np.median(np.abs(points - start.centre))  # the start may be the inner edge of the rim, the points its outer one
+    found = np.array([start.centre.real, start.centre.imag, size, *oval[:2]])
     goal = np.array([0.0, 0.0, expected[0], *oval[:2]])
     hold = np.array([np.inf, np.inf, expected[1], oval[2], oval[2]]) ** -2.0
     width = reach
@@ -99,7 +102,8 @@ def ransac_circles(
     """Find circles through three random points (RANSAC), those with most points on their circumference first.
 
     points shape (n,) [pixel]; sizes: minimum and maximum radius [pixel]; picture: height and width; only the circumference
-    inside counts [pixel]; draws: number of triples [1]; found: covered share of the circumference [1], and the circle.
+    inside counts [pixel]; draws: number of triples [1]; found: covered share of the circumference [1], and the circle; at most
+    three separate ones.
     """
     if len(points) < 12:
         return []
@@ -117,4 +121,9 @@ def ransac_circles(
         covered = np.unique(np.round(np.angle(away[near]) * BINS / (2.0 * np.pi)).astype(int) % BINS)
         seen = (rim.real >= 0) & (rim.real < picture[1]) & (rim.imag >= 0) & (rim.imag < picture[0])
         found.append((float(seen[covered].sum() / max(seen.sum(), 0.25 * BINS)), Circle(middle, size)))
-    return sorted(found, key=lambda pair: -pair[0])
+    result: list[tuple[float, Circle]] = []
+    for share, one in sorted(found, key=lambda pair: -pair[0]):
+        apart = (abs(one.centre - old.centre) + abs(one.radius - old.radius) - 0.1 * old.radius for _, old in result)
+        if len(result) < 3 and all(distance > 0.0 for distance in apart):
+            result.append((share, one))
+    return result

@@ -21,7 +21,6 @@ MOVED = 14.0  # change of luma that counts as motion
 CONTRAST = 18.0  # difference from the surroundings that counts as dark or light
 MOST_POINTS = 600
 COMPONENTS = 5
-MOST_CIRCLES = 6  # that are confirmed for a component
 CERTAIN = 0.8  # share of a rim that ends the search
 ALIKE = 0.12  # relative difference of radii in different pictures
 SIZE_ERROR = 0.25 * ALIKE  # of a radius from other pictures, relative
@@ -112,7 +111,7 @@ def detect(luma: Bytes, search: Search) -> Rim | None:
     for mask in _masks(small, search.background):
         for points in _outlines(mask, sizes[0]):
             some = rng.choice(points, min(len(points), MOST_POINTS), replace=False)
-            for share, (centre, radius) in ransac_circles(some, sizes, small.shape, rng)[:MOST_CIRCLES]:
+            for share, (centre, radius) in ransac_circles(some, sizes, small.shape, rng):
                 middle = complex(0.5, 0.5)  # of a pixel
                 circle = Circle((centre + middle) * by - middle, radius * by)
                 rim = confirm(luma, circle, search.sign, search.expected) if share >= 0.3 else None
