@@ -274,6 +274,13 @@ def test_heads_of_school_books(tmp_path, head):
     assert_read(track, t=T, x=X, angle=ANGLE)
 
 
+def test_errors_have_the_units_of_their_own_heads(tmp_path):
+    head = "t (s),x (cm),y (cm),angle (rad),sigma_x (mm),sigma_y (mm),sigma_angle (deg)"
+    given = np.ones((3, len(T))) * [[2.0], [3.0], [1.0]]
+    track = read_track(table(tmp_path, head, T, 100.0 * X, 100.0 * Y, ANGLE, *given))
+    assert_read(track, x=X, sigma_x=0.002 + 0.0 * T, sigma_y=0.003 + 0.0 * T, sigma_angle=np.radians(1.0) + 0.0 * T)
+
+
 def test_tracks_of_imagej_below_each_other_are_points(tmp_path):
     places = [(1, k + 1, *at) for k, at in enumerate(zip(X, Y, strict=True))]
     places += [(2, k + 1, *at) for k, at in enumerate(zip(LOAD_X, LOAD_Y, strict=True))]
