@@ -232,8 +232,8 @@ class Steps:
 
 def each_of(flows, *long):
     """A test for each flow; the long ones in CI only."""
-    marked = [pytest.param(name, marks=pytest.mark.long if name in long else ()) for name in flows]
-    return pytest.mark.parametrize("name", marked)
+    marked = [pytest.param(flow, id=name, marks=pytest.mark.long if name in long else ()) for name, flow in flows.items()]
+    return pytest.mark.parametrize("flow", marked)
 
 
 def follow(page, steps):

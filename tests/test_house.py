@@ -30,10 +30,8 @@ def said_by(code):
     return done.stdout
 
 
-def test_one_version():
-    version = hophoop.__version__
-    assert f'\nversion: "{version}"\n' in text_of("CITATION.cff")
-    assert f"\n## {version}" in text_of("CHANGELOG.md")
+def test_the_changelog_has_this_version():
+    assert f"\n## {hophoop.__version__}" in text_of("CHANGELOG.md")
 
 
 # What an import costs, and what a missing extra says

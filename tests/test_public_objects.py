@@ -35,7 +35,6 @@ def uncertain(correlations=None):
 
 
 OBJECTS = {
-    "scenario": lambda: SLOPE,
     "start": lambda: hh.Start.of(sampled().at(0.5)),
     "hoop of parts": lambda: hh.Hoop.from_parts(0.3, [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)]),
     "motion": sampled,
@@ -60,7 +59,6 @@ OBJECTS = {
     "branch": lambda: hh.gaits.find(GAIT, near=3.31)[0].follow("plane.slope", (0.0174, 0.0176)),
     "return map": lambda: hh.gaits.return_map(GAIT, 3.3, 3.5),
     "boundary": lambda: hh.maps.boundary(None, WINDOW, one=(1.0, 3.1), other=(1.0, 3.8), step=0.2),
-    "bad input": lambda: InputError.of_field("threads", 0, "at least 1"),
 }
 
 

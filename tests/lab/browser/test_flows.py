@@ -3,7 +3,7 @@
 The verbs are those of `lab_page_tools.Steps`; behind `until` and `is` stands JavaScript that knows `lab` and its `WORDS`.
 """
 
-from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, follow
+from lab_page_tools import PHONE, SETTLED, SHOWN, each_of, take
 from slow_page import also_delayed
 
 UNTIL_SETTLED, UNTIL_SHOWN = f"until {SETTLED}", f"until {SHOWN}"
@@ -626,6 +626,5 @@ FLOWS = {
 
 @also_delayed
 @each_of(FLOWS)
-def test_a_visitor(visit, name):
-    link, options, steps = FLOWS[name]
-    follow(visit(link, **options), steps)
+def test_a_visitor(visit, flow):
+    take(visit, flow)

@@ -104,5 +104,5 @@ FLOWS = {
 
 
 @each_of(FLOWS, "it is pulled up and dropped, and Escape takes it back", "a finger tilts the plane without scrolling the page")
-def test_a_hand(visit, name):
-    take(visit, FLOWS[name])
+def test_a_hand(visit, flow):
+    take(visit, flow)

@@ -126,5 +126,5 @@ FLOWS = {
     "a screen reader hears little and what matters",
     "on a phone held across",
 )
-def test_in_use(visit, name):
-    take(visit, FLOWS[name])
+def test_in_use(visit, flow):
+    take(visit, flow)

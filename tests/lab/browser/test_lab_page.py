@@ -83,8 +83,8 @@ FLOWS = {
 
 @also_delayed
 @each_of(FLOWS)
-def test_a_page(visit, name):
-    picture(take(visit, FLOWS[name]), f"page-{name.replace(' ', '-')}")
+def test_a_page(visit, flow, request):
+    picture(take(visit, flow), request.node.name)
 
 
 def test_the_picture_follows_the_hand(visit):

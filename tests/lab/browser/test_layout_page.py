@@ -232,8 +232,8 @@ FLOWS = {
 
 
 @each_of(FLOWS)
-def test_it_is_in_its_place(visit, name):
-    picture(take(visit, FLOWS[name]), f"layout-{name.replace(' ', '-')}")
+def test_it_is_in_its_place(visit, flow, request):
+    picture(take(visit, flow), request.node.name)
 
 
 def shot(page, selector):

@@ -206,5 +206,5 @@ FLOWS = {
     "a start of one's own counts, and a motion that breaks a rule has no points",
     "sound follows the contact force",
 )
-def test_a_lesson(visit, name):
-    take(visit, FLOWS[name])
+def test_a_lesson(visit, flow):
+    take(visit, flow)

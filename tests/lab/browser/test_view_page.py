@@ -111,5 +111,5 @@ FLOWS = {
 
 
 @each_of(FLOWS)
-def test_a_first_look(visit, name):
-    take(visit, FLOWS[name])
+def test_a_first_look(visit, flow):
+    take(visit, flow)

@@ -74,5 +74,5 @@ FLOWS = {
 
 
 @each_of(FLOWS, "two fingers zoom and take no motion")
-def test_wheel_and_finger(visit, name):
-    take(visit, FLOWS[name])
+def test_wheel_and_finger(visit, flow):
+    take(visit, flow)
