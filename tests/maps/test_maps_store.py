@@ -38,7 +38,7 @@ def stopped(path, calls=2):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        make(path, progress=stop)
+        make(path, threads=2, progress=stop)  # of 8 chunks, the others are not all under way
     return path
 
 
@@ -116,7 +116,7 @@ def test_more_sequences_than_short_codes_get_long_ones(whole, tmp_path, monkeypa
 # Stopped, and made by two at once
 
 
-@pytest.mark.parametrize("calls", [2, 6])
+@pytest.mark.parametrize("calls", [2, 5])
 def test_a_stopped_map_goes_on_to_the_same_bytes(whole, tmp_path, calls):
     path = stopped(tmp_path / "map.zarr", calls)
     with pytest.raises(ValueError, match="not complete"):
