@@ -255,5 +255,6 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
     for name in ("x", "height", "angle", "omega", "slip", "vy"):
         _, row, (lengths, times, _) = DIRECT[name]
         by_unit = lengths * by_length + times * by_time
-        start[row] = (by[name] - given[name] * by_unit) * second**-times / length**lengths
+        # their units hold a length once, and are per second once, at most
+        start[row] = (by[name] - given[name] * by_unit) * (second if times else 1.0) / (length if lengths else 1.0)
     return Directions(np.array(parameter_tangents), start, np.array([by_length, by_time, by["mass"] / scenario.hoop.mass]))
