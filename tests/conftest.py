@@ -12,7 +12,7 @@ settings.load_profile("ci" if os.environ.get("CI") else "hophoop")
 
 
 def pytest_collection_modifyitems(items):
-    """Tests marked slow may take more than the usual limit (pyproject.toml)."""
+    """Tests marked slow or long may take more than the usual limit (pyproject.toml): several share a processor."""
     for item in items:
-        if item.get_closest_marker("slow") and not item.get_closest_marker("timeout"):
+        if (item.get_closest_marker("slow") or item.get_closest_marker("long")) and not item.get_closest_marker("timeout"):
             item.add_marker(pytest.mark.timeout(3600))

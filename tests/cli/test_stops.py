@@ -45,11 +45,13 @@ sys.meta_path.insert(0, Finder())
 MOMENTS = {
     "the command is loaded": FINDER.format(module="hophoop.cli"),
     "its options are read": "import hophoop.cli; hophoop.cli.Commands.parse_args = lambda *_: stop()",
-    "a library makes another error of it": WORK.format(
+    "a library makes another error of it, and complains": WORK.format(
         body="""
+    import logging
     try:
         stop()
     except BaseException:
+        logging.getLogger("library").error("Exception in callback")
         raise ValueError("Invalid affine transformation matrix") from None
 """
     ),

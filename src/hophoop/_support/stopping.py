@@ -6,6 +6,7 @@ A signal raises KeyboardInterrupt wherever the command is, so that contexts clea
 from __future__ import annotations
 
 import contextlib
+import logging
 import os
 import shutil
 import signal
@@ -85,6 +86,7 @@ class Stopping:
         self.heard = self.heard or number
         if time.monotonic() - self._raised >= ONE:
             self._raised = time.monotonic()
+            logging.disable()  # libraries complain about what is interrupted, also in other threads
             raise KeyboardInterrupt
 
     def say(self) -> None:
@@ -129,6 +131,7 @@ def stop_on_signals(alone: bool) -> Iterator[Stopping]:
         with contextlib.suppress(OSError, ValueError, AttributeError):
             sys.stdout.flush()
         os._exit(128 + stopping.heard)
+    logging.disable(logging.NOTSET)
     raise SystemExit(128 + stopping.heard)  # the exit status by the convention of shells
 
 
