@@ -19,7 +19,7 @@ from hophoop.prove.roots import first_root, positive_until
 BITS_A_TERM = 2.5
 WIDEST, LONGEST = 0.6, 0.5  # rad, and √(R/g), of a step
 FARTHEST = 1e-6  # between a polynomial and its motion
-SMALLEST = 1e-12  # of a step
+SMALLEST = 1e-12  # of a step; the box of its slopes, FARTHEST to each side, gets no smaller with it
 ROUNDED_UP = 1 + 2.0**-40
 SMALL = "errors stay small"  # which more bits change
 
