@@ -122,7 +122,7 @@ def _first_line(error: BaseException) -> str:
 
 def _unpacked(dataset: Any) -> np.ndarray:
     """The structured array that `_packed` took apart."""
-    layout = [(name, kind) for name, kind, _ in json.loads(dataset.attrs["layout"])]
+    layout = [(name, kind) for name, kind, _ in json.loads(dataset.attrs["layout"])]  # each is one number
     first = dataset[layout[0][0]]
     table = np.empty(first.shape[0], dtype=np.dtype(layout))
     for name, _ in layout:

@@ -109,6 +109,7 @@ def stop_on_signals(alone: bool) -> Iterator[Stopping]:
         yield _now
         return
     _now = stopping = Stopping()
+    silent = logging.root.manager.disable
     handlers = {}
     if threading.current_thread() is threading.main_thread():
         # a shell makes background jobs ignore SIGINT
@@ -131,7 +132,7 @@ def stop_on_signals(alone: bool) -> Iterator[Stopping]:
         with contextlib.suppress(OSError, ValueError, AttributeError):
             sys.stdout.flush()
         os._exit(128 + stopping.heard)
-    logging.disable(logging.NOTSET)
+    logging.disable(silent)
     raise SystemExit(128 + stopping.heard)  # the exit status by the convention of shells
 
 
