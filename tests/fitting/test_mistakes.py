@@ -63,25 +63,30 @@ def sideways(track):
     return replace(track, centre=track.centre[:, ::-1], centre_error=track.centre_error[:, ::-1])
 
 
+# Motion, mistake, question.
+MISTAKES = [
+    ("right", {"centre": 100.0}, "are lengths in cm"),
+    ("right", {"angle": np.degrees(1.0)}, "is it in degrees"),
+    ("right", sideways, "is the film sideways"),
+    ("right", held, "give --from 0.3"),
+]
+MORE = [
+    ("right", {"radius": 100.0}, "with a radius of 0.3 m: is the radius in m"),
+    ("right", {"centre": [1.0, -1.0]}, "does y count downwards"),
+    ("right", {"centre": [-1.0, -1.0], "zero": np.pi}, "is the film upside down"),
+    ("left", {"angle": -1.0}, "the angle counts clockwise"),
+    ("left", {"centre": [-1.0, 1.0]}, "the angle counts clockwise"),
+    ("right", {"zero": np.pi / 2}, "is your angle zero with the load at the top"),
+    ("right", {"centre": 100.0, "radius": 100.0}, "is the radius in m"),
+    ("hop at once", {"radius": 2.0}, "is the radius in m, and no diameter"),
+    ("hop at once", {"time": 0.25}, "are frames per second (--rate) and times right"),
+    ("hop at once", {"centre": 1.05}, "is the scale of lengths right"),
+    ("right", lambda track: turning(stretched(track, time=8.0)), "is the film in slow motion"),
+]
+
+
 @pytest.mark.parametrize(
-    ("name", "mistake", "question"),
-    [
-        ("right", {"centre": 100.0}, "are lengths in cm"),
-        ("right", {"angle": np.degrees(1.0)}, "is it in degrees"),
-        ("right", {"radius": 100.0}, "with a radius of 0.3 m: is the radius in m"),
-        ("right", {"centre": [1.0, -1.0]}, "does y count downwards"),
-        ("right", {"centre": [-1.0, -1.0], "zero": np.pi}, "is the film upside down"),
-        ("left", {"angle": -1.0}, "the angle counts clockwise"),
-        ("left", {"centre": [-1.0, 1.0]}, "the angle counts clockwise"),
-        ("right", {"zero": np.pi / 2}, "is your angle zero with the load at the top"),
-        ("right", {"centre": 100.0, "radius": 100.0}, "is the radius in m"),
-        ("hop at once", {"radius": 2.0}, "is the radius in m, and no diameter"),
-        ("hop at once", {"time": 0.25}, "are frames per second (--rate) and times right"),
-        ("hop at once", {"centre": 1.05}, "is the scale of lengths right"),
-        ("right", sideways, "is the film sideways"),
-        ("right", lambda track: turning(stretched(track, time=8.0)), "is the film in slow motion"),
-        ("right", held, "give --from 0.3"),
-    ],
+    ("name", "mistake", "question"), [*MISTAKES, *(pytest.param(*row, marks=pytest.mark.long) for row in MORE)]
 )
 def test_the_mistake_is_asked_about(name, mistake, question):
     track = TRACKS[name]
@@ -90,6 +95,7 @@ def test_the_mistake_is_asked_about(name, mistake, question):
     assert found.endswith((".", "?"))
 
 
+@pytest.mark.long
 def test_good_data_raise_no_question():
     for track in (TRACKS["right"], TRACKS["rolling"], filmed(MOTIONS["right"], angle=False)):
         assert asked(track, cost=1.0) == []

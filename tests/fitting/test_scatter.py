@@ -33,7 +33,9 @@ def test_marks_of_a_slow_film_scatter_by_as_much_as_they_do(marked, tmp_path):
     assert np.median(angle.errors) == pytest.approx(np.sqrt(2.0) * marked.settings["derived"][0]["places"] / 0.27, rel=0.02)
 
 
-@pytest.mark.parametrize(("kind", "mistake", "sign"), [("table30", "radius", -1), ("phone100", "radius", 1)])
+@pytest.mark.parametrize(
+    ("kind", "mistake", "sign"), [("table30", "radius", -1), pytest.param("phone100", "radius", 1, marks=pytest.mark.long)]
+)
 def test_a_wrong_radius_is_not_taken_for_scatter(kind, mistake, sign):
     found = hh.fit(spoiled(drawn(kind, 3), mistake, sign))
     assert not found.usable
@@ -41,6 +43,7 @@ def test_a_wrong_radius_is_not_taken_for_scatter(kind, mistake, sign):
     assert "radius" in found.sentences()[1]
 
 
+@pytest.mark.long
 def test_a_record_that_another_radius_explains_is_wrong_although_its_residuals_scatter():
     """Restitution came out as 0.86 ± 0.02, where 0.3 is right, and 'not perfect, but usable'."""
     found = hh.fit(spoiled(drawn("phone50", 15), "radius", -1))
@@ -60,6 +63,7 @@ def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():
     assert with_scatter(track, Sigma(omegas=0.1), rough) == (track, {})
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("kind", "seed"), [("phone50", 200), ("phone100", 5), ("phone100", 22)])
 def test_errors_of_a_phone_cover_the_steps_of_its_sum_of_squares(kind, seed):
     """By the slopes at one minimum, between two steps, the restitution was 5 to 7 errors off."""

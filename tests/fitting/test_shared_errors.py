@@ -49,6 +49,7 @@ def test_a_scale_that_is_off_does_not_spoil_the_parameters(hop, found):
     assert abs(held.values["mu_excess"] - 0.1) > 5 * held.error("mu_excess")
 
 
+@pytest.mark.long
 def test_a_scale_that_changes_along_the_film_makes_no_slope(hop):
     """By a tenth of a pixel of a rim of 22: the plane seemed to fall by 0.4° ± 0.04°."""
     small = filmed(hop, rate=60.0)

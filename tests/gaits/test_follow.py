@@ -154,6 +154,7 @@ def test_the_top_of_the_hill():
     assert math.degrees(found.special[0].parameter) == pytest.approx(15.085738, abs=1e-6)
 
 
+@pytest.mark.long
 def test_landings_and_the_bottom_give_the_same_doubling():
     """At landings the map has two or three coordinates, at the bottom one: a doubling is at the same slope in both."""
     limits = (math.radians(1.0), math.radians(6.0))
@@ -314,6 +315,7 @@ def test_a_border_of_landings_is_where_the_impact_needs_all_friction(gear):
     assert math.degrees(border.parameter) == pytest.approx(met, abs=1e-10)
 
 
+@pytest.mark.long
 def test_a_branch_goes_on_where_it_turns_back_at_a_corner():
     """At 15.6354° the multiplier jumps over 1: the branch turns, and the gait doubles on its other side."""
     gait = next(one for one in hh.gaits.find(on_slope(15.2), 2, near=3.14) if one.stable)
@@ -350,6 +352,7 @@ def test_a_border_between_two_pieces_of_a_landing():
     assert border.multipliers[0] == pytest.approx(border.multipliers[1], abs=1e-5)
 
 
+@pytest.mark.long
 def test_the_mirrored_hoop_has_the_mirrored_branch():
     """Where the slip after the landing changes its sign, the branch downhill to the right ended; its mirror image went on."""
     met = []

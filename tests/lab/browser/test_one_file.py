@@ -45,12 +45,19 @@ def file(tmp_path_factory):
     return export.export(tmp_path_factory.mktemp("disk") / "play.html")[0].as_uri()
 
 
+@pytest.fixture(scope="module")
+def fox(tmp_path_factory):
+    """One Firefox for all, as it takes long to start."""
+    with firefox(tmp_path_factory.mktemp("profile")) as tab:
+        tab.size(1280, 800)
+        yield tab
+
+
 @pytest.fixture(params=["chromium", "firefox"])
-def window(request, tmp_path):
+def window(request):
     if request.param == "firefox":
-        with firefox(tmp_path) as tab:
-            tab.size(1280, 800)
-            yield tab
+        yield (tab := request.getfixturevalue("fox"))
+        tab.ask("localStorage.clear(); sessionStorage.clear();")
         return
     page, troubles = request.getfixturevalue("new_page")(viewport={"width": 1280, "height": 800}, offline=True), []
     page.on("pageerror", lambda error: troubles.append(str(error)))
