@@ -290,6 +290,7 @@ def test_a_branch_goes_on_where_the_hoop_slips_at_the_bottom():
     assert len(gait.multipliers) == 2
 
 
+@pytest.mark.long
 def test_a_window_in_the_chaos():
     """Of stable gaits, from a border collision to a doubling."""
     settled = hh.passages(on_slope(1.36, omega=3.4), 6000)
@@ -329,6 +330,7 @@ def test_a_branch_goes_on_where_it_turns_back_at_a_corner():
     assert (twice.period, twice.stable) == (4, True)
 
 
+@pytest.mark.long
 def test_corners_of_bounces_are_passed():
     """Under Stronge's law the branch reaches both limits, through a jump of the multiplier at the impact of a bounce."""
     case = on_slope(3.0, 0.5, restitution=0.3, impact_law="stronge")

@@ -64,6 +64,7 @@ def of(scenario, path):
     return found
 
 
+@pytest.mark.long
 def test_rates_of_60_motions_are_the_derivatives():
     asked = [(scenario, path) for scenario in drawn() for path in paths_of(scenario)]
     compared = whole = 0

@@ -397,6 +397,11 @@ FLOWS = {
 
 
 @also_delayed
-@each_of(FLOWS)
+@each_of(
+    FLOWS,
+    "a sentence stays until its field changes",
+    "single keys can be switched off, and Escape leaves",
+    "everything is remembered, and there is a way back",
+)
 def test_a_visitor(visit, flow):
     take(visit, flow)

@@ -56,6 +56,7 @@ def open_kept(page, address):
     page.wait_for_function("() => navigator.serviceWorker.controller?.state === 'activated'")
 
 
+@pytest.mark.long
 def test_a_hosted_page_is_replaced_by_its_new_version(hosted):
     folder, page, address = hosted
     site.export(folder)
@@ -70,6 +71,7 @@ def test_a_hosted_page_is_replaced_by_its_new_version(hosted):
     assert page.locator("meta[name=hophoop-docs]").get_attribute("content") == "https://example.org/new/"
 
 
+@pytest.mark.long
 def test_two_labs_of_one_address_keep_their_own_files(hosted):
     folder, page, address = hosted
     places = ("", "one/", "other/")

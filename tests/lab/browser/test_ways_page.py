@@ -240,6 +240,12 @@ FLOWS = {
 
 
 @also_delayed
-@each_of(FLOWS)
+@each_of(
+    FLOWS,
+    "a fingerprint is copied, alone and in a link",
+    "a browser that is late to follow an undo keeps every step",
+    "a link that is copied in the simple view opens it",
+    "a link with other bits says so, also after a reload",
+)
 def test_a_way(visit, flow):
     take(visit, flow)

@@ -73,6 +73,10 @@ FLOWS = {
 }  # fmt: skip
 
 
-@each_of(FLOWS, "two fingers zoom and take no motion")
+@each_of(
+    FLOWS,
+    "two fingers zoom and take no motion",
+    "a finger moves the map when it starts across, and leaves it when it starts upwards",
+)
 def test_wheel_and_finger(visit, flow):
     take(visit, flow)
