@@ -1,9 +1,9 @@
 """Compute the kept scenarios in many surroundings and count the motions with other bits: `python benchmarks/bits.py`.
 
 Each surrounding is a process of its own: other BLAS kernels, a C library and a NumPy without the newer instructions,
-the library for older processors, interpreted kernels, WebAssembly in wasmtime and in Chromium, and the kernels' code as a
+the library for older processors, interpreted kernels, WebAssembly in Node and in Chromium, and the kernels' code as a
 program for ARM64 and RISC-V under qemu. Missing programs (ziglang, qemu,
-Chromium) are named. The exit status is 1 where any motion differs.
+Node, Chromium) are named. The exit status is 1 where any motion differs.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ GIVEN, OLDER = "as given", "all of these"
 OLD_GLIBC = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX2_Usable,-FMA_Usable"}
 # x86-64 of 2009, without AVX and FMA; other processors have one library
 OLD_LEVEL = {"HOPHOOP_LEVEL": "v2"} if platform.machine().lower() in ("x86_64", "amd64") else {}
-PYTHON, INTERPRETED, WASMTIME, CHROMIUM = "compiled", "interpreted", "wasmtime", "chromium"
+PYTHON, INTERPRETED, NODE, CHROMIUM = "compiled", "interpreted", "node", "chromium"
 
 
 class Surrounding(NamedTuple):
@@ -54,7 +54,7 @@ def surroundings() -> list[Surrounding]:
         Surrounding("NumPy without optional instructions", environment={**numpy_off}),
         Surrounding(OLDER, environment={**blas, "OPENBLAS_CORETYPE": "Nehalem", **OLD_GLIBC, **OLD_LEVEL, **numpy_off}),
         Surrounding("interpreted", INTERPRETED, every=10),
-        Surrounding("WebAssembly in wasmtime", WASMTIME),
+        Surrounding("WebAssembly in Node", NODE),
         Surrounding("WebAssembly in Chromium", CHROMIUM),
         Surrounding("ARM64, under qemu", "aarch64"),
         Surrounding("RISC-V, under qemu", "riscv64"),
@@ -97,16 +97,13 @@ def compute(how: str, every: int, out: Path) -> None:
 
 def by_module(how: str, kept: Sequence[object]) -> dict[int, object]:
     """By the kernel's own code, outside of Python; a sentence where something is missing."""
+    import shutil
+
     import bits_kernels
-    from hophoop.lab.wasm.stamp import HERE, MODULE
-    from module.host import Host
 
-    if how == WASMTIME:
-        rigid = [each for each in kept if each.kind != "compliant"]
-        return bits_kernels.run_module(Host(HERE / MODULE), rigid)
+    if how == NODE:
+        return bits_kernels.run_node(kept) if shutil.which(NODE) else sys.exit("Node is not installed")
     if how == CHROMIUM:
-        import shutil
-
         from browser_tools import FLAGS, NAMES
 
         try:

@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 
 import hophoop as hh
-from bits_tools import FOLDER, SAMPLES, bits_of_heads, sample_times
+from bits_tools import FOLDER, SAMPLES, bits_of_heads
+from checkout import text_of
 from hophoop.kernel.build.link import optimized
 from hophoop.kernel.compliant.event_loop import MAX_STEPS
 from hophoop.kernel.compliant.records import WIDTH
@@ -24,7 +25,7 @@ from hophoop.kernel.records.layout import EVENT, SEGMENT
 from hophoop.lab.wasm.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
 from hophoop.lab.wasm.stamp import HERE
 from lab_page_tools import serving
-from module.module_tools import cell_of, given_of
+from module.module_tools import answered, cell_of, given_of
 
 # Processor → how LLVM and zig call it.
 PROCESSORS = {
@@ -135,52 +136,34 @@ def parted(content, kept):
     return found
 
 
-# --- the module ------------------------------------------------------------------------------------------------------
+# --- the module, by the page's kernel ------------------------------------------------------------------------------------
 
-
-def run_module(host, kept):
-    """The bits of rigid motions that the module computes."""
-    found = {}
-    for each in kept:
-        cell = cell_of(each.scenario)
-        heads, _ = host.motion(cell)
-        duration = heads["duration"]
-        rows = host.samples(cell, sample_times(duration)) if duration > 0.0 else np.empty((0, len(SAMPLE_COLUMNS)))
-        found[each.index] = bits_of_heads(heads, host.events, rows)
-    return found
-
-
-# --- a browser -------------------------------------------------------------------------------------------------------
-
-# The page's kernel computes motions as the page does; what it leaves in the module's memory comes back as bytes.
 IN_PAGE = """
-async ({ asked, count, eventBytes }) => {
+async (given) => {
   const { HoopModule } = await import("./kernel.js");
   const response = await fetch("./hophoop.wasm");
   const module = new HoopModule(await WebAssembly.compile(await response.arrayBuffer()));
-  const parts = [];
-  for (const given of JSON.parse(asked, (_, value) => (value === "inf" ? Infinity : value))) {
-    const computed = module.compute(given);
-    const { place } = module.memory.rooms.get("events");
-    const events = new Uint8Array(module.exports.memory.buffer, place, eventBytes * computed.count).slice();
-    const rows = computed.duration > 0 ? count : 0;
-    const times = Float64Array.from({ length: rows }, (_, k) => (computed.duration * k) / (count - 1));
-    const states = times.length ? module.states(computed, times, false) : times;
-    for (const numbers of [computed.head, events, states])
-      parts.push(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength));
-  }
-  const bytes = new Uint8Array(await new Blob(parts).arrayBuffer());
-  let text = "";
-  for (let k = 0; k < bytes.length; k += 0x8000) text += String.fromCharCode(...bytes.subarray(k, k + 0x8000));
-  return btoa(text);
+  const asked = JSON.parse(given, (_, value) => (value === "inf" ? Infinity : value));
+  %s
+  return bits(module, asked);
 }
 """
 
 
+def given_bits(kept):
+    """What is asked of `bits` in module/bits.mjs."""
+    return {"asked": [given_of(each.scenario) for each in kept], "count": SAMPLES, "eventBytes": EVENT.itemsize}
+
+
+def run_node(kept):
+    """The bits of motions that the module computes in Node."""
+    return parted(base64.b64decode(answered([["bits", given_bits(kept)]])[0]), kept)
+
+
 def run_page(browser, kept):
-    """The bits of motions that the page's kernel computes in a browser of playwright's."""
-    asked = json.dumps([given_of(each.scenario) for each in kept])
+    """The bits of motions that the module computes in a browser of playwright's."""
+    program = IN_PAGE % text_of("tests/module/bits.mjs").replace("export ", "")
     with closing(browser.new_page()) as page, serving() as address:
         page.goto(f"{address}static/licences.txt")  # a page that does nothing
-        content = page.evaluate(IN_PAGE, {"asked": asked, "count": SAMPLES, "eventBytes": EVENT.itemsize})
+        content = page.evaluate(program, json.dumps(given_bits(kept)))
     return parted(base64.b64decode(content), kept)

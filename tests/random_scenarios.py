@@ -1,9 +1,12 @@
-"""Random scenarios, which the rigid ones of data/bits are: (seed, index) tells which."""
+"""Random scenarios, of which (seed, index) tells which: the rigid ones of data/bits, and hoops that roll."""
 
 import copy
 import json
+import math
 from functools import cache
 from random import Random
+
+import numpy as np
 
 import bits_tools
 import hophoop as hh
@@ -28,6 +31,21 @@ def draw(seed, index):
 def scenario_of(sections, max_events=EVENTS):
     """The sections as a scenario for `simulate`."""
     return hh.Scenario.from_dict({**sections, "contact": {"max_events": max_events}})
+
+
+def rolling(seed, index):
+    """An ideal hoop that begins to roll, on the level, gentle and steep slopes, in units of R and g."""
+    random = np.random.default_rng([seed, index])
+    plane = hh.Plane(
+        gravity=1.0,
+        slope=float(random.choice([0.0, random.uniform(0.0, 0.1), random.uniform(0.0, 0.6)])),
+        mu=float(random.uniform(0.02, 2.0)),
+        restitution=float(random.choice([0.0, random.uniform(0.0, 0.9)])),
+        rolling_resistance=float(random.choice([0.0, random.uniform(0.0, 0.1)])),
+    )
+    hoop = hh.Hoop.ideal(float(random.uniform(0.05, 0.95)))
+    angle = float(random.uniform(-math.pi, math.pi))
+    return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start.rolling(float(random.uniform(-4.0, 4.0)), angle=angle))
 
 
 # Within a few units in the last place of the least friction of Painlevé's paradox.

@@ -7,27 +7,13 @@ import pytest
 
 import hophoop as hh
 from hophoop.vocabulary.names import Fate
+from random_scenarios import rolling
 
 SEED = 7
 LATE = 2000.0  # √(R/g), for which a motion is followed on from its last passage
 AGES = 1e6  # √(R/g), within which a hoop must rest
 PERIODS = 20  # more of a gait that must repeat itself
 REPEATS = 1e-7  # relative difference of θ̇ that is a repetition
-
-
-def scenario_of(seed, index):
-    """The scenario for which (seed, index) tells everything, in units of R and g."""
-    random = np.random.default_rng([seed, index])
-    plane = hh.Plane(
-        gravity=1.0,
-        slope=float(random.choice([0.0, random.uniform(0.0, 0.1), random.uniform(0.0, 0.6)])),
-        mu=float(random.uniform(0.02, 2.0)),
-        restitution=float(random.choice([0.0, random.uniform(0.0, 0.9)])),
-        rolling_resistance=float(random.choice([0.0, random.uniform(0.0, 0.1)])),
-    )
-    hoop = hh.Hoop.ideal(float(random.uniform(0.05, 0.95)))
-    angle = float(random.uniform(-math.pi, math.pi))
-    return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start.rolling(float(random.uniform(-4.0, 4.0)), angle=angle))
 
 
 def holds(given, fate, period, decided_at):
@@ -53,7 +39,7 @@ def holds(given, fate, period, decided_at):
 @pytest.mark.parametrize("index", range(60))
 def test_a_random_fate(index):
     """It stays, and where both sections decide what becomes of a motion, they decide the same."""
-    scenario = scenario_of(SEED, index)
+    scenario = rolling(SEED, index)
     judged = hh.gaits.fates([scenario])
     fate = str(judged.fates[0])
     assert fate in set(Fate)
@@ -69,6 +55,6 @@ def test_a_random_fate(index):
 )
 def test_bounces_at_landings_are_not_taken_for_a_fate(index, fate):
     """Bounces that die away are all alike, but do not rock; a revolution in flight that ends in rolling did not roll."""
-    scenario = scenario_of(35, index)
+    scenario = rolling(35, index)
     for section in ("bottom", "landing"):
         assert hh.gaits.fates([scenario], section=section).fates == (fate,)

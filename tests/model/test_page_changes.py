@@ -1,7 +1,6 @@
 """What the page says of a little more of a parameter, in Node with the WebAssembly module, follows Python's derivatives."""
 
 import math
-import random
 
 import pytest
 
@@ -11,6 +10,7 @@ from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.results.propagation import propagate
 from hophoop.vocabulary.parameters import TABLE
 from model.test_page_model import answers
+from random_scenarios import rolling
 from web_tools import needs_node
 
 pytestmark = needs_node
@@ -23,21 +23,11 @@ SEED = 20261129
 
 
 def drawn():
-    """Random motions as visitors make them: rolling and free, on slopes, with bounces and with resistance."""
-    draw = random.Random(SEED)
-    found = []
-    for _ in range(SCENARIOS):
-        plane = hh.Plane(
-            mu=draw.uniform(0.05, 1.3),
-            slope=math.radians(draw.choice([0.0, draw.uniform(-5.0, 10.0)])),
-            restitution=draw.choice([0.0, draw.uniform(0.05, 0.8)]),
-            rolling_resistance=draw.choice([0.0, 0.0, draw.uniform(0.001, 0.05)]),
-        )
-        free = hh.Start(height=draw.uniform(0.05, 1.0), vx=draw.uniform(-3.0, 3.0), omega=draw.uniform(-8.0, 8.0))
-        start = draw.choice([hh.Start.rolling(draw.uniform(-4.0, 4.0)), free])
-        hoop = hh.Hoop.ideal(draw.uniform(0.1, 0.95))
-        found.append(hh.Scenario(hoop=hoop, plane=plane, start=start, duration=draw.choice([1.0, 2.0, 3.0])))
-    return found
+    """Random motions as visitors make them: rolling and thrown, on slopes, with bounces and with resistance."""
+    for index in range(SCENARIOS):
+        scenario = rolling(SEED, index)
+        speed = scenario.start.speed
+        yield scenario.replace("start", hh.Start(height=0.5, vx=speed, omega=2.0 - speed)) if index % 2 else scenario
 
 
 def paths_of(scenario):

@@ -23,6 +23,7 @@ from hophoop.scenario import InputError
 from model.asked import asked
 from model.requests_drawn import NUMBERS, request
 from module.module_tools import given_of
+from scenario.test_scenario import REFUSED
 from web_tools import bundled, needs_node
 
 HERE = Path(__file__).parent
@@ -134,6 +135,13 @@ def test_the_tables_are_what_python_would_write_now():
 def test_requests_are_read_alike(seeds, monkeypatch):
     kinds = compare(seeds, monkeypatch)
     assert min(kinds["value"], kinds["error"]) > len(seeds) / 4
+
+
+def test_what_breaks_a_rule_is_refused_alike():
+    """One text at least for every rule, which the module knows on the page."""
+    bodies = [{"scenario": json.loads(text)} if text.startswith("{") else {"query": text} for text in REFUSED]
+    for body, answer in zip(bodies, answers("scenario", bodies), strict=True):
+        assert field_of(answer["error"]) == of_python(body), body
 
 
 # Numbers and texts

@@ -1,9 +1,28 @@
-"""Scenarios as the numbers that the module takes."""
+"""Scenarios as the numbers that the module takes, and its calls in Node."""
 
+import json
 import math
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
 
 import hophoop as hh
+from hophoop.lab import tables
+from hophoop.lab.wasm import stamp
 from hophoop.maps.grid.cells import make_cells
+
+KERNEL = tables.FILE.parent / "kernel.js"
+needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+
+
+def answered(calls, module=stamp.MODULE):
+    """What the page's kernel answers to calls, each a name with its arguments; "inf" is infinite."""
+    command = ["node", Path(__file__).with_name("calls.mjs"), KERNEL, stamp.HERE / module]
+    done = subprocess.run(command, input=json.dumps(calls), capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    return json.loads(done.stdout)
 
 
 def cell_of(scenario):

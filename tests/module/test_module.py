@@ -5,7 +5,6 @@ import json
 import math
 import re
 import sys
-from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -20,27 +19,14 @@ from hophoop.kernel.build import __main__ as builder
 from hophoop.kernel.build import browser, link, lowering
 from hophoop.kernel.native import marks
 from hophoop.kernel.native.sources import called, is_kernel
-from hophoop.kernel.physics.body import Status
-from hophoop.kernel.records.cells import Cell, Contact
 from hophoop.kernel.records.layout import MOST_PANELS
-from hophoop.kernel.records.refusals import Refusal, refusal
 from hophoop.lab.wasm.entries import ENTRIES, FATE_ENTRIES
-from hophoop.lab.wasm.layout import layout
+from hophoop.lab.wasm.layout import HEADS, layout
 from hophoop.lab.wasm.stamp import FATES, HERE, LAYOUT, MODULE, sources, stamped
-from hophoop.scenario.scenario import contact_of
 from hophoop.vocabulary.names import MODE_WORDS, mode_words
-
-pytest.importorskip("wasmtime")
-
-from module.host import Host
-from module.module_tools import cell_of
+from module.module_tools import answered, given_of, needs_node
 
 TOLD = json.loads((HERE / LAYOUT).read_text(encoding="utf-8"))
-
-
-@pytest.fixture(scope="module")
-def host():
-    return Host(HERE / MODULE)
 
 
 def test_the_module_is_that_of_the_sources():
@@ -93,38 +79,15 @@ def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path):
     assert {file.name for file in out.iterdir()} == {MODULE, FATES, LAYOUT}
 
 
-def test_a_motion_ends_by_its_budget_whatever_is_asked(host):
-    heads, events = host.motion(cell_of(hh.Scenario(duration=1e6)))
-    assert heads["status"] == Status.EVENT_LIMIT
-    assert heads["panels"] <= MOST_PANELS + 100  # the last step counts itself, and each width that it tries
-    assert 1e3 < heads["duration"] < 1e6  # what was computed is told
-    assert events[-1, 0] == heads["duration"]
-
-
-def test_it_refuses_what_the_library_refuses(host):
-    draw = np.random.default_rng(6)
-    usual, spring = np.array(cell_of(hh.Scenario())), np.array(contact_of(hh.Compliant()))
-    ends = {
-        Cell.ECCENTRICITY: [0.3, 1.0, 1.5], Cell.INERTIA_RATIO: [0.0, 1e-13, 1e-12, 1e7],
-        Cell.MASS: [1e-13, 1e12], Cell.IDEAL: [0.0, 1.0],
-        Cell.MU_STATIC: [0.0, 1.0, math.inf], Cell.SLOPE: [0.1, 1.57, 1.5704, 2.0], Cell.ROLLING_RESISTANCE: [1e-9, 0.5, 1.0],
-        Cell.GRAVITY: [0.0, 1e-6], Cell.HEIGHT: [0.0, 1e6], Cell.VY: [1e6], Cell.OMEGA: [1e9], Cell.SLIP: [-1e6],
-        Cell.RADIUS: [1e-6, 1e6],
-    }  # fmt: skip
-    found = Counter()
-    for _ in range(1500):
-        cell, contact = usual.copy(), spring.copy()
-        if draw.random() < 0.3:
-            cell[Cell.ECCENTRICITY], cell[Cell.INERTIA_RATIO] = 1.0, 0.0
-        for column in draw.choice(list(ends), 2):
-            cell[column] = draw.choice(ends[int(column)])
-        rows = [Contact.STIFFNESS, Contact.TANGENTIAL_STIFFNESS, Contact.SLIP_SPEED]
-        contact[rows] = draw.choice([math.nan, 1e-9, 10.0, 1e5, 1e18], 3)
-        given = tuple(contact.tolist()) if draw.random() < 0.6 else ()
-        code, number = refusal(cell.tolist(), given)
-        np.testing.assert_equal(host.refused(cell, given), (code, number))
-        found[code] += 1
-    assert len(found) == len(Refusal)
+@needs_node
+def test_a_motion_ends_by_its_budget_whatever_is_asked():
+    long = given_of(hh.Scenario(duration=1e6))
+    computed, motion = answered([["compute", long], ["motion", long]])
+    assert motion["status"] == "event_limit"
+    panels = computed["head"][HEADS.index("panels")]
+    assert panels <= MOST_PANELS + 100  # the last step counts itself, and each width that it tries
+    assert 1e3 < motion["duration"] < 1e6  # what was computed is told
+    assert motion["events"][-1]["t"] == motion["duration"]
 
 
 @pytest.mark.parametrize(
@@ -138,21 +101,21 @@ def test_it_refuses_what_the_library_refuses(host):
         "plane.mu=inf",
     ],
 )
-def test_regions(host, query):
+@needs_node
+def test_regions(query):
     scenario = hh.Scenario.from_query(query)
-    window = (-3.0, 7.0, -12.0, 12.0)
-    codes, paradox = host.regions(cell_of(scenario), window, 90, 60)
+    (found,) = answered([["regions", given_of(scenario), (-3.0, 7.0, -12.0, 12.0), 90, 60]])
     angles = -3.0 + (np.arange(90) + 0.5) * (10.0 / 90)
     rates = (-12.0 + (np.arange(60) + 0.5) * (24.0 / 60))[:, None]
     hoop, plane = scenario.hoop, scenario.plane
     words = mode_words(hh.theory.mode_of(angles, rates, hoop, plane), rates)
     places = {word: code for code, word in enumerate(MODE_WORDS)}
-    assert codes.ravel().tolist() == [places.get(word, len(MODE_WORDS)) for word in words.ravel()]
+    assert found["modes"] == [places.get(word, len(MODE_WORDS)) for word in words.ravel()]
     sides = np.zeros((2, 90))
     if not hoop.massless and math.isfinite(plane.mu_kinetic):
         couple, turning = plane.rolling_resistance, np.array([[-1.0], [1.0]])
         sides[:] = hh.theory.painleve_region(angles, plane.mu_kinetic, hoop, rolling_resistance=couple, omega=turning)
-    assert np.array_equal(paradox, sides.ravel())
+    assert found["paradox"] == sides.ravel().tolist()
 
 
 def test_it_names_no_machine():
