@@ -110,29 +110,3 @@ def test_symmetries_see_one_last_bit(motion):
     for changed in (*others, Changed(motion, events=motion.events[:-1])):
         assert mirror_finding(changed, image).broken
         assert units_finding(changed, same, factors).broken
-
-
-# Each broke an invariant once, by a defect of the solver.
-KNOWN = {
-    "sequence": hh.Scenario(
-        hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=0.0, rolling_resistance=0.05), start=hh.Start(angle=2.0), duration=6.0
-    ),
-    "modes": hh.Scenario(
-        hoop=hh.Hoop(eccentricity=0.15, inertia_ratio=0.0045),
-        plane=hh.Plane(mu=0.21, rolling_resistance=1.0),
-        start=hh.Start(vx=2.4, omega=1.0, angle=-213.57),
-        duration=1.0,
-    ),
-    "limit": hh.Scenario(plane=hh.Plane(mu=0.1), start=hh.Start(angle=2.0, height=0.1), contact=hh.Rigid(max_events=8)),
-    "compliant limit": hh.Scenario(start=hh.Start.rolling(3.1), duration=2.0, contact=hh.Compliant(max_events=7)),
-    "held slip": hh.Scenario(
-        hoop=hh.Hoop(radius=0.00019217056231712746, mass=1e12, eccentricity=0.0, inertia_ratio=5.79010011140085e-05),
-        plane=hh.Plane(gravity=8540.967397232022, mu=1e6, restitution=1.0, impact_law="newton"),
-        start=hh.Start(angle=np.pi, vx=0.9999999999999999, omega=1.0),
-        duration=0.017484476528125212,
-    ),
-}
-
-
-def test_what_the_checker_found():
-    assert {name: wrong for name, scenario in KNOWN.items() if (wrong := broken(hh.simulate(scenario)))} == {}
