@@ -52,9 +52,11 @@ def slopes(motion, path, side):
     """One-sided differences of the events, of second order, for smaller and smaller steps, and their rounding."""
     here = numbers_of(motion)
     size = abs(value_of(motion.scenario, path)) or 1.0
-    for halvings in range(FIRST, LAST):
-        step = side * math.ldexp(1.0, math.frexp(size)[1] - halvings)
-        near, far = changed(motion, path, step), changed(motion, path, 2.0 * step)
+    step = side * math.ldexp(1.0, math.frexp(size)[1] - FIRST + 1)
+    near = changed(motion, path, step)
+    for _ in range(FIRST, LAST):
+        step *= 0.5
+        far, near = near, changed(motion, path, step)
         if near is not None and far is not None:
             yield (4.0 * near - far - 3.0 * here) / (2.0 * step), abs(8.0 * np.spacing(here) / step)
 
