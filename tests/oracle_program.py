@@ -2,9 +2,11 @@
 
 import json
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
+from mpmath import mp
 
 import hophoop as hh
 from checkout import DATA
@@ -99,6 +101,18 @@ def program_events(motion):
         }
         for event in motion.events
     ]
+
+
+def compare_events(motion, true, digits, names=("t", "x", "height", "angle", "omega"), since=-1):
+    """Assert that the first events of a motion, from a time on, have so many digits of the true ones."""
+    ours = essential([event for event in program_events(motion) if event["t"] > since])
+    for mine, right in zip(ours, essential(highest_apexes(true)), strict=False):
+        assert mine["kind"] == right["kind"], (mine, right["kind"])
+        for name in names:
+            with mp.workdps(50):
+                known = Fraction(mp.nstr(mp.mpf(right[name]), 50))
+            off = abs(Fraction(mine[name]) - known)
+            assert off <= Fraction(1, 10**digits) * max(1, abs(known)), (right["kind"], name, float(off))
 
 
 def draw(seed):

@@ -3,7 +3,7 @@
 from mpmath import mp, mpf
 
 import hophoop as hh
-from oracle_program import STATE, reference
+from oracle_program import reference
 
 HOOP = hh.Hoop.ideal(0.75)
 
@@ -12,16 +12,6 @@ def stored(name):
     """Reference data with all of their digits."""
     with mp.workdps(60):
         return reference(name, mpf)
-
-
-def events_of(motion):
-    """A precise motion's events in the oracles' form, as mpf."""
-    with mp.workdps(60):
-        return [
-            {"kind": event.kind, "from": event.from_mode, "to": event.to_mode}
-            | {name: mpf(str(getattr(event, name))) for name in ("t", *STATE)}
-            for event in motion.events
-        ]
 
 
 def rolling(speed, mu=1.0, hoop=HOOP, angle=0.0, **rest):
