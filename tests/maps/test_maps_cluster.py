@@ -60,6 +60,7 @@ def cluster(tmp_path):
                 "--host", "127.0.0.1", "--local-directory", str(folder),
             )  # fmt: skip
             processes.append(worker)
+        for worker in processes[1:]:
             said(worker, r"Registered to:\s+(tcp://\S+)")
         yield address, processes[1:], processes[0]
     finally:
@@ -134,15 +135,16 @@ app()
 
 @pytest.mark.long
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX only")
-@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
-def test_a_stop_ends_a_map_over_a_cluster_by_one_sentence(number, status, tmp_path):
-    out = tmp_path / "map.zarr"
-    words = f"map --axis plane.mu=0.05:1.95:2000 --axis start.speed=0.05:5:2000 --out {out} --quiet --scheduler"
+def test_a_stop_ends_a_map_over_a_cluster_by_one_sentence(tmp_path):
+    words = "map --axis plane.mu=0.05:1.95:2000 --axis start.speed=0.05:5:2000 --quiet --scheduler"
     with cluster(tmp_path) as (address, _, _):
-        process = subprocess.Popen([sys.executable, "-c", STOPPED, *words.split(), address], stderr=subprocess.PIPE, text=True)
-        while not list(out.glob("unfinished/sequence/c/*/*/*")):
-            assert process.poll() is None
-            time.sleep(0.05)
-        process.send_signal(number)
-        said = process.communicate(timeout=60)[1]
-    assert (process.returncode, said) == (status, f"Stopped; what is done is kept in {out}, and --resume goes on.\n")
+        for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            out = tmp_path / f"{status}.zarr"
+            command = [sys.executable, "-c", STOPPED, *words.split(), address, "--out", str(out)]
+            process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+            while not list(out.glob("unfinished/sequence/c/*/*/*")):
+                assert process.poll() is None
+                time.sleep(0.05)
+            process.send_signal(number)
+            told = process.communicate(timeout=60)[1]
+            assert (process.returncode, told) == (status, f"Stopped; what is done is kept in {out}, and --resume goes on.\n")
