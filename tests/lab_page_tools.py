@@ -206,6 +206,9 @@ class Steps:
         width, height = map(int, said.split())
         self.page.set_viewport_size({"width": width, "height": height})
 
+    def media(self, said):
+        self.page.emulate_media(media=said)
+
     def back(self, _):
         self.page.go_back()
 

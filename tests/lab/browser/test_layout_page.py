@@ -131,8 +131,41 @@ def window(width, height):
     ]
 
 
+# what paper has none of
+PRESSED = "button, [type=range], [type=checkbox], .top, .transport, .grips, .map"
+PARTS = [".readout dd", ".legend", ".timeline", ".summary", ".controls .exact", ".plot"]
+
+
+def on_paper(simple, parts, curves):
+    """The motion and what happens, and nothing to press; the worksheet alone, with its speeds."""
+    return ("#t=0.8", {"simple": simple, "color_scheme": "dark"}, [
+        f"until {SHOWN}",
+        "do lab.extras.table.open(true)",
+        "until seen('.stuck')",  # the player is small now
+        "media print",
+        "do dispatchEvent(new Event('beforeprint'))",
+        f"is all('{PRESSED}').every((one) => !one.checkVisibility() || one.closest('.story-list'))",
+        f"is {PARTS}.map((part) => all(part).filter((one) => one.checkVisibility()).length).join() === '{parts}'",
+        "is first('.story-list').scrollHeight === first('.story-list').clientHeight",
+        # the canvas of the cursor would hide the curves
+        "do globalThis.drawn = all('.plot-canvas').filter((one) => one.checkVisibility()).map((one) =>"
+        " one.getContext('2d').getImageData(0, 0, one.width, one.height).data.some(Boolean))",
+        f"is drawn.length === {curves} && drawn.every(Boolean)",
+        "do lab.extras.teach.showModal()",
+        "is !seen('.page')",
+        "is all('.sheet-table button').filter(shown).map((one) => one.innerText).join() === '1.0,1.3,1.6,1.9,2.2,2.3'",
+        "do lab.extras.teach.close()",
+        "is lab.theme.look.paper === '#ffffff'",  # ink on paper, also of a dark page
+        "do dispatchEvent(new Event('afterprint'))",
+        "media screen",
+        "is lab.root.dataset.theme === 'dark'",
+    ])  # fmt: skip
+
+
 # name: (link, options, steps), as in test_flows.py
 FLOWS = {
+    "paper": on_paper(False, "6,1,1,1,11,5", 6),
+    "paper of the simple view": on_paper(True, "6,1,1,1,3,1", 1),
     "a small window": ("", {"viewport": {"width": 320, "height": 256}}, [*window(320, 256), *window(360, 320)]),
     "a small phone, and one held across, with all of its player": ("", PHONE, [
         f"do {CUT}",
@@ -263,40 +296,3 @@ def test_a_hint_is_read_in_forced_colours(visit):
     page.wait_for_selector(".grip-hint")
     seen = shot(page, ".grip-hint")
     assert np.ptp(seen[8:-8, 24:-24]) > 100  # letters on their ground
-
-
-@pytest.mark.parametrize("simple", [True, False])
-def test_paper_has_the_motion_and_what_happens_and_nothing_to_press(visit, simple):
-    page = visit("#t=0.8", simple=simple, color_scheme="dark")
-    wait_for(page, SHOWN)
-    page.evaluate("hophoopLab.extras.table.open(true)")  # the player is small now
-    page.wait_for_selector(".stuck")
-    page.emulate_media(media="print")
-    page.evaluate("dispatchEvent(new Event('beforeprint'))")
-    seen = "const seen = (selector) => [...document.querySelectorAll(selector)].filter((one) => one.checkVisibility());"
-    pressed = page.evaluate(f"""() => {{ {seen}
-      return seen("button, [type=range], [type=checkbox], .top, .transport, .grips, .map")
-        .filter((one) => !one.closest(".story-list")).map((one) => one.outerHTML.slice(0, 90)); }}""")
-    assert pressed == []
-    parts = page.evaluate(f"""() => {{ {seen}
-      return [".readout dd", ".legend", ".timeline", ".summary", ".controls .exact", ".plot"]
-        .map((one) => seen(one).length); }}""")
-    assert parts == ([6, 1, 1, 1, 3, 1] if simple else [6, 1, 1, 1, 11, 5])
-    list_height = page.evaluate("(({ scrollHeight, clientHeight }) => [scrollHeight, clientHeight])"
-                                "(document.querySelector('.story-list'))")  # fmt: skip
-    assert list_height[0] == list_height[1]
-    # the canvas of the cursor would hide the curves
-    drawn = page.evaluate(f"""() => {{ {seen}
-      return seen(".plot-canvas").map((one) =>
-        one.getContext("2d").getImageData(0, 0, one.width, one.height).data.some(Boolean)); }}""")
-    assert drawn == [True] * (1 if simple else 6)
-    # the worksheet is printed alone, with its speeds
-    page.evaluate("hophoopLab.extras.teach.showModal()")
-    assert not page.locator(".page").is_visible()
-    assert page.locator(".sheet-table button").all_inner_texts() == ["1.0", "1.3", "1.6", "1.9", "2.2", "2.3"]
-    assert page.locator(".sheet-table button").last.is_visible()
-    page.evaluate("hophoopLab.extras.teach.close()")
-    assert page.evaluate("hophoopLab.theme.look.paper") == "#ffffff"  # ink on paper, also of a dark page
-    page.evaluate("dispatchEvent(new Event('afterprint'))")
-    page.emulate_media(media="screen")
-    assert page.evaluate("hophoopLab.root.dataset.theme") == "dark"
