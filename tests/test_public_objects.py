@@ -121,12 +121,3 @@ def test_wrong_arguments_are_one_sentence(call, given):
         call(*given)
     assert str(refused.value).endswith(".")
     assert "\n" not in str(refused.value)
-
-
-def test_equal_planes_have_equal_links():
-    for mu in (0.5, 1.0, np.inf):
-        one, other = (hh.Scenario(plane=plane) for plane in (hh.Plane(mu=mu), hh.Plane(mu_static=mu, mu_kinetic=mu)))
-        assert one == other
-        assert (one.to_query(), one.to_toml()) == (other.to_query(), other.to_toml())
-    apart = hh.Scenario(plane=hh.Plane(mu_static=0.5, mu_kinetic=0.4))
-    assert hh.Scenario.from_query(apart.to_query()) == apart

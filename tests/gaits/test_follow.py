@@ -1,7 +1,6 @@
 """Branches of gaits, their special points and doubled gaits."""
 
 import math
-from decimal import Decimal
 
 import numpy as np
 import pytest
@@ -206,26 +205,6 @@ def test_files_and_pictures(branch, gear):
     assert "period doubling" in {text.get_text() for text in ax.get_legend().get_texts()}
     assert "border collision, fold" in repr(branch)
     assert repr(of_kind(branch, "fold")[0]).startswith("<fold at plane.slope = 0.02037179")
-
-
-@pytest.mark.long
-def test_special_points_in_30_digits(branch):
-    """A period from θ̇ of a point and beside it, which shares nothing with the kernel: it comes back with the multipliers."""
-    step = 2.0**-24
-    for special in (of_kind(branch, "fold")[0], of_kind(branch, "border collision")[-1]):
-
-        def image(shift, special=special):
-            omega = special.omega + shift
-            start = hh.Start(angle=math.pi, vx=omega, omega=omega, slip=0.0, mode="R")
-            case = special.gait.scenario.replace("start", start).replace("duration", 10.0)
-            return hh.simulate(case, digits=30, until="revolutions:1").events[-1].omega
-
-        assert abs(float(image(0.0)) - special.omega) < 3e-14
-        slopes = [
-            float((4 * (image(side) - image(0.0)) - (image(2 * side) - image(0.0))) / (2 * Decimal(side)))
-            for side in (-step, step)
-        ]
-        assert sorted(slopes) == pytest.approx(sorted(special.multipliers * (2 // len(special.multipliers))), abs=1e-6)
 
 
 @pytest.mark.parametrize(

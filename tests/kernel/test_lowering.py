@@ -10,13 +10,11 @@ import pytest
 
 from hophoop.kernel.native import inline, interpreted_as, noinline, sources
 from hophoop.kernel.native.marks import mark_of, source_of
-from hophoop.kernel.numerics import collocation
 
 pytest.importorskip("numba")
 from hophoop.kernel.build import lowering
 from hophoop.kernel.build.kept import folder, keep, kept
 from hophoop.kernel.build.link import TARGETS, object_of, own_target
-from numba_tools import jitted
 
 
 def by_python(value):
@@ -152,11 +150,3 @@ def test_without_a_home_directory_nothing_is_kept(monkeypatch):
     monkeypatch.setattr(Path, "home", no_home)
     keep("a file", b"content")
     assert (folder(), kept("a file")) == (None, None)
-
-
-def test_a_dispatcher_is_made_of_the_loops():
-    row = np.random.default_rng(6).normal(size=collocation.ORDER)
-    found, expected = np.empty((2, collocation.ORDER))
-    jitted(collocation.product)(collocation.SERIES_T, row, found)
-    source_of(collocation.product)(collocation.SERIES_T, row, expected)
-    assert found.tobytes() == expected.tobytes()

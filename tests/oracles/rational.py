@@ -1,4 +1,4 @@
-"""Impacts in exact fractions, or in the numbers of any library; tests/rigid/test_impacts.py works some by hand.
+"""Impacts in exact fractions, or in the numbers of any library; tests/physics/test_impact.py works some by hand.
 
 At an impact the place does not change, so the velocity q̇ = (ẋ, ẏ, θ̇) moves along straight pieces as the
 normal impulse p grows: dq̇/dp = M⁻¹ (r, 1, −rR)ᵀ with a constant ratio r of the tangential to the normal

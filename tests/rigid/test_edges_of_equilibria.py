@@ -7,7 +7,6 @@ import pytest
 from mpmath import mp, mpf
 
 import hophoop as hh
-from differences import halved
 from hophoop.kernel.numerics import arithmetic
 
 
@@ -70,40 +69,6 @@ def test_other_slow_motions_lose_digits_or_are_in_doubt(scenario, until, t, erro
     motion = hh.simulate(scenario, until=until)
     assert motion.events[-1].t == pytest.approx(t, abs=error)
     assert bool(motion.doubt < motion.duration) is (error == math.inf)
-
-
-def slowest_at_the_top(plane, angle, slip):
-    """The smallest θ̇ of a start at an angle before the top with which the hoop passes it, and the start."""
-
-    def start(omega):
-        return hh.Start(angle=angle, vx=omega + slip, omega=omega)
-
-    def turns_back(omega):
-        return hh.simulate(hh.Hoop(), plane, start(omega), duration=60.0, until="angle:0.3").events[-1].angle <= 0.25
-
-    return start, halved(0.5, 12.0, turns_back)[1]
-
-
-@pytest.mark.long
-@pytest.mark.compiled
-@pytest.mark.parametrize("speed", [1e-3, 1e-6, 1e-8])
-@pytest.mark.parametrize(
-    ("plane", "slip"),
-    [
-        (hh.Plane(mu=0.0), 30.0),
-        (hh.Plane(mu=0.05), 30.0),
-        (hh.Plane(mu=5.0, rolling_resistance=0.02), 0.0),
-        (hh.Plane(mu=0.05, rolling_resistance=0.02), 30.0),
-    ],
-)
-def test_a_slow_pass_agrees_with_30_digits_or_is_in_doubt(plane, slip, speed):
-    """From a start 1.5 rad before the top, faster than the slowest one by about the speed at the top."""
-    start, slowest = slowest_at_the_top(plane, -1.5, slip)
-    scenario = hh.Scenario(hoop=hh.Hoop(), plane=plane, start=start(math.hypot(slowest, speed)), duration=60.0)
-    motion, exact = (hh.simulate(scenario, until="angle:0.3", digits=digits) for digits in (None, 30))
-    if motion.doubt == math.inf:
-        assert motion.events[-1].t == pytest.approx(float(exact.events[-1].t), abs=1e-14 / speed**2)
-    assert bool(motion.doubt < motion.duration) is (speed < 1e-4)
 
 
 def test_slow_slip_round_to_the_next_hilltop():
