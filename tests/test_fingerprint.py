@@ -25,19 +25,19 @@ def by_hand(motion):
 
 
 MOTIONS = {
-    "hop": hh.Scenario(duration=2.0),
-    "end by the duration asked for": hh.Scenario(duration=1.7, hoop=hh.Hoop.ideal(0.6, radius=0.3, mass=2.0)),
-    "massless": hh.Scenario(hoop=hh.Hoop.ideal(1.0), start=hh.Start.rolling(0.1), duration=3.0),
-    "massless, no answer": hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(mu=3.0), start=hh.Start.rolling(-2.0)),
-    "rest": hh.Scenario(start=hh.Start()),
-    "bounces": hh.Scenario(plane=hh.Plane(restitution=0.7), start=hh.Start(height=0.3, omega=1.0), duration=3.0),
-    "compliant": hh.Scenario(start=hh.Start(height=0.02, omega=3.0), duration=0.2, contact=hh.Compliant(stiffness=1e4)),
+    "hop": "duration=2",
+    "end by the duration asked for": "duration=1.7&hoop.radius=0.3&hoop.mass=2&hoop.load_fraction=0.6",
+    "massless": "duration=3&hoop.load_fraction=1&start.speed=0.1",
+    "massless, no answer": "hoop.load_fraction=1&plane.mu=3&start.speed=-2",
+    "rest": "start.angle=0",
+    "bounces": "duration=3&plane.restitution=0.7&start.height=0.3&start.omega=1",
+    "compliant": "duration=0.2&start.height=0.02&start.omega=3&contact.model=compliant&contact.stiffness=1e4",
 }
 
 
 def test_it_is_the_hash_of_the_public_events():
-    for name, scenario in MOTIONS.items():
-        motion = hh.simulate(scenario)
+    for name, link in MOTIONS.items():
+        motion = hh.simulate(hh.Scenario.from_query(link))
         assert motion.fingerprint == by_hand(motion), name
         assert is_fingerprint(motion.fingerprint), name
         assert motion.to_dict()["fingerprint"] == motion.fingerprint, name

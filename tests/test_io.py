@@ -2,7 +2,6 @@
 
 import copy
 import json
-import math
 import os
 import re
 
@@ -27,14 +26,15 @@ def motion():
 
 # --- round trips -----------------------------------------------------------------------------------
 
-PARTS = hh.Hoop.from_parts(0.3, [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)])
-CONTACT = hh.Compliant(stiffness=1e4, restitution=0.5)
 MOTIONS = {
-    "hop": (hh.Hoop(), hh.Plane(restitution=0.4), hh.Start.rolling(3.1), 3.0),
-    "compliant": (hh.Hoop(), hh.Plane(), hh.Start(height=0.02, omega=3.0), 0.3, CONTACT),
-    "undetermined": (hh.Hoop.ideal(1.0), hh.Plane(mu=3.0), hh.Start.rolling(-2.0), 3.0),
-    "at rest": (hh.Hoop.ideal(1.0), hh.Plane(mu=math.inf), hh.Start.rolling(2.0), 3.0),
-    "parts": (PARTS, hh.Plane(mu=0.7), hh.Start.rolling(1.0), 1.0),
+    "hop": "duration=3&plane.restitution=0.4",
+    "compliant": "duration=0.3&start.height=0.02&start.omega=3&contact.model=compliant&contact.stiffness=1e4"
+    "&contact.restitution=0.5",
+    "undetermined": "duration=3&hoop.load_fraction=1&plane.mu=3&start.speed=-2",
+    "at rest": "duration=3&hoop.load_fraction=1&plane.mu=inf&start.speed=2",
+    "parts": "duration=1&plane.mu=0.7&start.speed=1&hoop.radius=0.3&hoop.parts.0.shape=ring&hoop.parts.0.mass=0.4"
+    "&hoop.parts.0.inner_radius=0.28&hoop.parts.0.outer_radius=0.3&hoop.parts.1.shape=disk&hoop.parts.1.mass=0.5"
+    "&hoop.parts.1.radius=0.02&hoop.parts.1.at=0.27",
 }
 
 
@@ -42,7 +42,7 @@ MOTIONS = {
     ("name", "kind"), [*(("hop.nc", kind) for kind in MOTIONS), ("hop.zarr", "compliant"), ("hop.zarr.zip", "hop")]
 )
 def test_a_loaded_motion_is_the_same_to_the_last_bit(tmp_path, name, kind):
-    motion = hh.simulate(*MOTIONS[kind])
+    motion = hh.simulate(hh.Scenario.from_query(MOTIONS[kind]))
     motion.save(str(tmp_path / name))
     loaded = hh.load(tmp_path / name, check_fingerprint=True)
     assert same(motion, loaded)

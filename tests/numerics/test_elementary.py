@@ -33,7 +33,8 @@ ONE = {
     hyperbolic_cosine: (mp.cosh, np.cosh), inverse_hyperbolic_cosine: (mp.acosh, np.arccosh),
 }  # fmt: skip
 TWO = {arctangent2: (mp.atan2, np.arctan2), hypotenuse: (mp.hypot, np.hypot), power: (mp.power, np.power)}
-BOUNDS = {hyperbolic_tangent: 0.51, hyperbolic_sine: 0.53, power: 0.51}  # units in the last place; 0.5001 of the others
+# units in the last place; 0.5001 of the others
+BOUNDS = {hyperbolic_tangent: 0.51, hyperbolic_sine: 0.53, hyperbolic_cosine: 0.501, power: 0.51}
 SPECIAL = [
     0.0, INF, math.nan, 5e-324, 2.2250738585072014e-308, 2.225073858507201e-308, 1e-300, 2.0**-60, 2.0**-54, 2.0**-27, 2.0**-26,
     1e-9, 1e-8, 0.125, 0.25, 0.5, 1.0, math.nextafter(1.0, 0.0), math.nextafter(1.0, 2.0), 2.0, 3.0, 20.0, 22.0, 40.0, 199.99,
@@ -87,29 +88,15 @@ def spread(random, low, high, count):
 
 
 def drawn(function, count):
-    """Arguments of a function: common ones, small and large ones, and those beside 1."""
+    """Arguments at which a function is finite: common ones, small and large ones, and those beside 1."""
     random = np.random.default_rng(11)
-    usual, small = random.uniform(-7, 7, count), spread(random, -60, 4, count)
-    any_size = spread(random, -1074, 1023, count // 4)
-    beside = 1.0 + spread(random, -52, -3, count)
-    if function is power:
-        x, y = 2.0 ** random.uniform(-30, 30, count), spread(random, -3, 4.8, count)
-        return np.concatenate([x, 2.0 ** random.uniform(-1, 1, count)]), np.concatenate([y, spread(random, 4, 9.8, count)])
-    if function in TWO:
-        wide = spread(random, -900, 900, count)
-        return np.concatenate([usual, wide]), np.concatenate([usual[::-1], wide * spread(random, -60, 60, count)])
-    if function in (*CIRCULAR, arctangent):
-        return (np.concatenate([usual, spread(random, -30, 30, count), any_size]),)
-    if function in (arcsine, arccosine):
-        return (np.concatenate([usual / 7.0, small / 16.0, np.copysign(1.0 - np.abs(beside - 1.0), usual)]),)
-    if function in (logarithm, binary_logarithm):
-        return (np.abs(np.concatenate([usual, beside, any_size])),)
-    if function is logarithm_1p:
-        return (np.concatenate([usual / 7.0, small / 16.0, np.abs(any_size)]),)
-    if function is inverse_hyperbolic_cosine:
-        return (1.0 + np.abs(np.concatenate([usual, small, any_size])),)
-    largest = 745.0 if function is exponential else 710.0
-    return (np.concatenate([usual, small, random.uniform(-largest, largest, count)]),)
+    usual, large = (random.uniform(-size, size, count) for size in (7, 745))
+    small, any_size = spread(random, -60, 4, count), spread(random, -1074, 1023, count // 4)
+    numbers = np.concatenate([usual, usual / 7.0, small, 1.0 + spread(random, -52, -3, count), large, any_size])
+    given = [numbers] if function in ONE else [numbers, random.permutation(numbers)]
+    with np.errstate(all="ignore"):
+        inside = np.isfinite((ONE | TWO)[function][1](*given))
+    return [column[inside] for column in given]
 
 
 @functions

@@ -37,6 +37,11 @@ ONCE = {
         "duration=0.017484476528125212&hoop.radius=0.00019217056231712746&hoop.mass=1e12&hoop.eccentricity=0"
         "&hoop.inertia_ratio=5.79010011140085e-5&plane.gravity=8540.967397232022&plane.mu=1e6&plane.restitution=1"
         f"&plane.impact_law=newton&{BOTTOM}&start.vx=0.9999999999999999&start.omega=1",
+    "made energy beside the hilltop: θ̇² loses digits on the way round and regains them there, and v_t has to follow":
+        "hoop.load_fraction=0.9999999994242047&plane.mu=1e-200&start.angle=1e-40&start.vx=12&start.omega=0.00019809088823063016",
+    "the same of one that turns back each time":
+        "duration=8&hoop.load_fraction=0.9999999994242047&plane.mu=1e-200&start.angle=-1e-4&start.vx=12"
+        "&start.omega=2.965794720740155",
     "the end at a limit": "duration=6&plane.mu=0.1&start.height=0.1&start.angle=2&contact.max_events=8",
     "the end of a compliant contact at a limit": "duration=2&contact.model=compliant&contact.max_events=7",
 }  # fmt: skip
@@ -47,6 +52,7 @@ KNOWN = {
     "driven by friction from a rotation below all doubles": ("at_rest", "R"),
     "a turn that led from slip into rolling, beside μ = 0": ("at_rest", "SR"),
     "completed with ω = inf": ("completed", "M"),
+    "the same of one that turns back each time": ("completed", "K"),
     "the end at a limit": ("event_limit", "H"),
     "the end of a compliant contact at a limit": ("event_limit", "R"),
 }

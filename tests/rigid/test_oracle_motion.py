@@ -5,7 +5,7 @@ import math
 import pytest
 from mpmath import mp, mpf
 
-from oracle_program import STATE, essential, highest_apexes, program_events, reference, simulate
+from oracle_program import STATE, compare, draw, essential, highest_apexes, program_events, reference, simulate
 from oracles import precise
 from oracles.cases import CASES, by_name
 
@@ -100,3 +100,9 @@ def test_reference_is_what_the_generator_makes():
             assert mine["kind"] == true["kind"]
             for name in ("t", *STATE):
                 assert abs(mine[name] - true[name]) < mpf(10) ** -22, (true["kind"], name)
+
+
+def test_random_motions():
+    """Against SciPy's hybrid integration, event by event; `python tests/against_oracles.py` compares any number of them."""
+    for seed in range(15):
+        compare(draw(seed))

@@ -20,28 +20,20 @@ from symmetries import mirrored
 SIDES = pytest.mark.parametrize("side", [1, -1])
 
 
-def scenario(start, duration=2.0, **plane):
-    return hh.Scenario(plane=hh.Plane(**plane), start=start, duration=duration)
-
-
-# motions by an event that each is for
+# links of motions by an event that each is for
 MOTIONS = {
-    "takeoff": scenario(hh.Start.rolling(3.1)),
-    "apex": scenario(hh.Start(height=0.2, angle=0.5, omega=2.0), restitution=0.6, mu=0.4),
-    "bounce_limit": scenario(hh.Start(height=0.3, angle=1.0, omega=2.0, vx=1.0), mu=math.inf, restitution=0.4),
-    "kane_gain": scenario(
-        hh.Start(height=0.25, angle=1.2, omega=1.5, vx=3.0), mu=0.8, restitution=0.9, impact_law="newton", duration=1.0
-    ),
-    "painleve_inconsistent": scenario(hh.Start(angle=-0.7, vx=1.2, omega=1.0), mu=1.3, restitution=0.5),
-    "painleve_indeterminate": scenario(hh.Start(angle=-0.7, vx=8.0, omega=5.0), mu=1.3, painleve="impact"),
-    "jam": scenario(hh.Start(angle=-2.312, vx=30.37, omega=5.654), mu=1.219),
-    "impact": hh.Scenario(  # slip that runs into the paradox
-        hoop=hh.Hoop(eccentricity=0.9128464310036214, inertia_ratio=0.00013391426767761817),
-        plane=hh.Plane(mu=0.9864259833341639),
-        start=hh.Start(angle=-3.32, vx=10.0, omega=20.0),
-        duration=0.2,
-    ),
-    "rest": scenario(hh.Start(angle=3.0), rolling_resistance=0.05, duration=9.0),
+    "takeoff": "duration=2",
+    "apex": "duration=2&plane.mu=0.4&plane.restitution=0.6&start.height=0.2&start.angle=0.5&start.omega=2",
+    "bounce_limit": "duration=2&plane.mu=inf&plane.restitution=0.4&start.height=0.3&start.angle=1&start.vx=1&start.omega=2",
+    "kane_gain": "duration=1&plane.mu=0.8&plane.restitution=0.9&plane.impact_law=newton&start.height=0.25&start.angle=1.2"
+    "&start.vx=3&start.omega=1.5",
+    "painleve_inconsistent": "plane.mu=1.3&plane.restitution=0.5&start.angle=-0.7&start.vx=1.2&start.omega=1&duration=2",
+    "painleve_indeterminate": "plane.mu=1.3&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=2",
+    "jam": "duration=2&plane.mu=1.219&start.angle=-2.312&start.vx=30.37&start.omega=5.654",
+    # slip that runs into the paradox
+    "impact": "duration=0.2&hoop.eccentricity=0.9128464310036214&hoop.inertia_ratio=0.00013391426767761817"
+    "&plane.mu=0.9864259833341639&start.angle=-3.32&start.vx=10&start.omega=20",
+    "rest": "duration=9&plane.rolling_resistance=0.05&start.angle=3",
 }
 
 
@@ -49,7 +41,8 @@ MOTIONS = {
 @pytest.mark.parametrize("name", MOTIONS)
 def test_events_keep_their_books(name, side):
     """Their impulses, at the lowest point of the rim, change the velocities by the arms of G."""
-    case = MOTIONS[name] if side > 0 else mirrored(MOTIONS[name])
+    given = hh.Scenario.from_query(MOTIONS[name])
+    case = given if side > 0 else mirrored(given)
     with forced("interpreted"):
         motion = hh.simulate(case)
     assert motion.find(name)

@@ -88,10 +88,12 @@ def test_links_are_short_and_readable():
 # Parameters by path
 
 
-RING, POINT, DISK = hh.Ring(1.0, 0.9, 1.0), hh.PointMass(2.0, at=0.9), hh.Disk(1.0, 0.1, at=0.5)
-USUAL, OF_PARTS = hh.Scenario(), hh.Scenario(hoop=hh.Hoop.from_parts(1.0, [RING, POINT]))
-BASE = hh.Scenario(hoop=hh.Hoop.ideal(0.75, radius=0.5, mass=2.0), start=hh.Start.rolling(3.0, angle=0.1))
-SLIPPING = BASE.replace("start.omega", 7.0)
+DISK = hh.Disk(1.0, 0.1, at=0.5)
+RING = "hoop.parts.0.shape=ring&hoop.parts.0.mass=1&hoop.parts.0.inner_radius=0.9&hoop.parts.0.outer_radius=1"
+PARTS = f"{RING}&hoop.parts.1.shape=point_mass&hoop.parts.1.mass=2&hoop.parts.1.at=0.9"
+BASE, OF_PARTS = "hoop.radius=0.5&hoop.mass=2&start.angle=0.1&start.speed=3", hh.Scenario.from_query(PARTS)
+GENERAL, SLIPPING = f"{BASE}&hoop.eccentricity=0.75&hoop.inertia_ratio=0.3", BASE.replace("speed=3", "vx=3&start.omega=7")
+TWO_FRICTIONS = f"{BASE}&plane.mu_static=1&plane.mu_kinetic=0.8"
 ONE_DISK = {"hoop": {"radius": 0.5}, "hoop.parts": [hh.PointMass(1.0, at=0.5)], "hoop.parts.0.mass": 2.0}
 COMPLIANT = {"contact": hh.Rigid(max_events=5), "contact.model": "compliant", "contact.rtol": 1e-6, "plane.mu": 0.5}
 
@@ -99,61 +101,54 @@ COMPLIANT = {"contact": hh.Rigid(max_events=5), "contact.model": "compliant", "c
 @pytest.mark.parametrize(
     ("base", "values", "changed"),
     [
-        (USUAL, {"start.speed": 2.8}, {"start": hh.Start.rolling(2.8)}),
-        (USUAL, {"duration": np.float64(2.0)}, {"duration": 2.0}),
-        (USUAL, {"contact": hh.Compliant()}, {"contact": hh.Compliant()}),
-        (USUAL, {"contact.model": "compliant"}, {"contact": hh.Compliant()}),
+        ("", {"start.speed": 2.8}, "start.speed=2.8"),
+        ("", {"duration": np.float64(2.0)}, "duration=2"),
+        ("", {"contact": hh.Compliant()}, "contact.model=compliant"),
+        ("", {"contact.model": "compliant"}, "contact.model=compliant"),
         # in another way than given
-        (BASE, {"hoop.inertia_ratio": 0.3}, {"hoop": hh.Hoop(radius=0.5, mass=2.0, eccentricity=0.75, inertia_ratio=0.3)}),
-        (BASE.replace("hoop.inertia_ratio", 0.3), {"hoop.load_fraction": 0.75}, {"hoop": BASE.hoop}),
-        (BASE, {"plane.mu_kinetic": 0.8}, {"plane": hh.Plane(mu_static=1.0, mu_kinetic=0.8)}),
-        (BASE.replace("plane.mu_kinetic", 0.8), {"plane.mu": 0.3}, {"plane": hh.Plane(mu=0.3)}),
-        (BASE, {"start.omega": 7.0}, {"start": hh.Start(vx=3.0, omega=7.0, angle=0.1)}),
-        (SLIPPING, {"start.speed": 3.0}, {"start": BASE.start}),
+        (BASE, {"hoop.inertia_ratio": 0.3}, GENERAL),
+        (GENERAL, {"hoop.load_fraction": 0.75}, BASE),
+        (BASE, {"plane.mu_kinetic": 0.8}, TWO_FRICTIONS),
+        (TWO_FRICTIONS, {"plane.mu": 0.3}, f"{BASE}&plane.mu=0.3"),
+        (BASE, {"start.omega": 7.0}, SLIPPING),
+        (SLIPPING, {"start.speed": 3.0}, BASE),
         (
-            hh.Scenario(contact=hh.Compliant(restitution=0.5)),
-            {"contact.damping": 3.0},
-            {"contact": hh.Compliant(damping=3.0)},
+            "contact.model=compliant&contact.restitution=0.5", {"contact.damping": 3.0},
+            "contact.model=compliant&contact.damping=3",
         ),
         # parts
-        (OF_PARTS, {"hoop.parts.1.mass": 3.0}, {"hoop": hh.Hoop.from_parts(1.0, [RING, hh.PointMass(3.0, at=0.9)])}),
-        (OF_PARTS, {"hoop.parts.1": DISK}, {"hoop": hh.Hoop.from_parts(1.0, [RING, DISK])}),
-        (OF_PARTS, {"hoop.load_fraction": 0.5}, {"hoop": hh.Hoop.ideal(0.5, radius=1.0, mass=3.0)}),
+        (PARTS, {"hoop.parts.1.mass": 3.0}, PARTS.replace("mass=2", "mass=3")),
+        (
+            PARTS, {"hoop.parts.1": DISK},
+            f"{RING}&hoop.parts.1.shape=disk&hoop.parts.1.mass=1&hoop.parts.1.radius=0.1&hoop.parts.1.at=0.5",
+        ),
+        (PARTS, {"hoop.load_fraction": 0.5}, "hoop.mass=3&hoop.load_fraction=0.5"),
         # whole sections, and what stands in them; what is not named is as in the new section
+        ("", {"start": hh.Start.rolling(2.0, angle=0.5), "start.omega": 5.0}, "start.angle=0.5&start.vx=2&start.omega=5"),
         (
-            USUAL,
-            {"start": hh.Start.rolling(2.0, angle=0.5), "start.omega": 5.0},
-            {"start": hh.Start(vx=2.0, omega=5.0, angle=0.5)},
+            "", {"hoop": {"load_fraction": 0.5, "mass": 3.0}, "hoop.inertia_ratio": 0.3},
+            "hoop.mass=3&hoop.eccentricity=0.5&hoop.inertia_ratio=0.3",
         ),
-        (
-            USUAL,
-            {"hoop": {"load_fraction": 0.5, "mass": 3.0}, "hoop.inertia_ratio": 0.3},
-            {"hoop": hh.Hoop(mass=3.0, eccentricity=0.5, inertia_ratio=0.3)},
-        ),
-        (USUAL, {"plane": hh.Plane(mu=0.5), "plane.mu_kinetic": 0.3}, {"plane": hh.Plane(mu_static=0.5, mu_kinetic=0.3)}),
-        (USUAL, ONE_DISK, {"hoop": hh.Hoop.from_parts(0.5, (hh.PointMass(2.0, at=0.5),))}),
-        (USUAL, COMPLIANT, {"plane": hh.Plane(mu=0.5), "contact": hh.Compliant(rtol=1e-6)}),
+        ("", {"plane": hh.Plane(mu=0.5), "plane.mu_kinetic": 0.3}, "plane.mu_static=0.5&plane.mu_kinetic=0.3"),
+        ("", ONE_DISK, "hoop.radius=0.5&hoop.parts.0.shape=point_mass&hoop.parts.0.mass=2&hoop.parts.0.at=0.5"),
+        ("", COMPLIANT, "plane.mu=0.5&contact.model=compliant&contact.rtol=1e-6"),
         # the inertia of 0 only with the eccentricity of 1, the kinetic friction above the one before, rolling as the new hoop
         (
-            USUAL,
+            "",
             {
                 "hoop.radius": 0.5, "hoop.eccentricity": 1.0, "hoop.inertia_ratio": 0.0, "plane.mu_static": 1.5,
                 "plane.mu_kinetic": 1.2, "start.vx": 2.0, "contact.max_events": 7,
             },
-            {
-                "hoop": hh.Hoop(radius=0.5, eccentricity=1.0, inertia_ratio=0.0),
-                "plane": hh.Plane(mu_static=1.5, mu_kinetic=1.2), "start": hh.Start(vx=2.0, omega=3.1 / 0.5),
-                "contact": hh.Rigid(max_events=7),
-            },
+            "hoop.radius=0.5&hoop.eccentricity=1&hoop.inertia_ratio=0&plane.mu_static=1.5&plane.mu_kinetic=1.2&start.vx=2"
+            "&start.omega=6.2&contact.max_events=7",
         ),
     ],
 )  # fmt: skip
 def test_values_are_replaced_in_any_order(base, values, changed):
-    before = repr(values)
+    """From one link to another."""
+    before, given, expected = repr(values), hh.Scenario.from_query(base), hh.Scenario.from_query(changed)
     for order in itertools.islice(itertools.permutations(values), 0, None, 97 if len(values) > 5 else 1):
-        made = base.with_values({path: values[path] for path in order})
-        for section in ("duration", "hoop", "plane", "start", "contact"):
-            assert getattr(made, section) == changed.get(section, getattr(base, section))
+        assert given.with_values({path: values[path] for path in order}) == expected
     assert repr(values) == before
 
 
