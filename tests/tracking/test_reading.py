@@ -267,6 +267,7 @@ RUNS = "t,x Run #1,y Run #1,x Run #2,y Run #2\n"
         ("hoop.TRZ", "<object/>", "is a project of Tracker: open it there and save its points with File, Export, Data", {}),
         ("a.json", "{", "is not valid JSON", {}),
         ("a.json", "[1]", "is not a track of hophoop", {}),
+        ("a.json", "{}", "columns, units and rate are for tables", {"rate": 100.0}),
         ("a.json", json.dumps({"schema": "hophoop-track/1"}), "is incomplete: 'columns'", {}),
     ],
 )
@@ -290,6 +291,7 @@ def test_gigabytes_are_refused_unread_and_what_is_absent(tmp_path):
     ("values", "message"),
     [
         ({"radius": -1.0}, "radius = "),
+        ({"radius": 1e-40}, r"radius = 1e-40 must be from 1e-30 to 1e\+30"),
         ({"units": {"speed": "m"}}, "units cannot name 'speed'; it can name frame, t, x, y"),
         ({"units": {"t": "furlong"}}, "units t = 'furlong' must be s, ms, us, ns and min, or a number other than 0"),
     ],

@@ -203,6 +203,11 @@ def test_repeated_times_and_bursts_are_counted_by_a_rate(tmp_path, ask, t, rate)
     assert "The rows are counted" in track.notes[0]
 
 
+def test_a_gap_in_the_times_is_no_burst(tmp_path):
+    t = np.where(T < 0.05, T, T + 0.1)[:20]
+    assert_read(read_track(table(tmp_path, "t,x,y", t, X[:20], Y[:20])), t=t)
+
+
 def test_numbers_of_frames_as_times_are_asked_about(tmp_path, ask):
     track, words = answered(ask, table(tmp_path, "t,x,y", map(str, range(40)), X, Y))
     assert words == ["--rate", "240"]
@@ -283,9 +288,10 @@ def test_errors_have_the_units_of_their_own_heads(tmp_path):
 
 def test_tracks_of_imagej_below_each_other_are_points(tmp_path):
     places = [(1, k + 1, *at) for k, at in enumerate(zip(X, Y, strict=True))]
-    places += [(2, k + 1, *at) for k, at in enumerate(zip(LOAD_X, LOAD_Y, strict=True))]
+    places += [(2, k + 1, *at) for k, at in enumerate(zip(LOAD_X, LOAD_Y, strict=True)) if k != 5]
     track = read_track(table(tmp_path, "Track n°,Slice n°,X,Y", *zip(*places, strict=True)), Reading(rate=120.0))
-    assert_read(track, x=X, marker_x=LOAD_X)
+    assert_read(track, x=X)
+    assert track.marker[:, 0] == pytest.approx(np.where(T[5] == T, np.nan, LOAD_X), abs=1e-6, nan_ok=True)
 
 
 @pytest.mark.parametrize(
@@ -325,7 +331,12 @@ def test_lengths_that_no_hoop_has_are_asked_about(tmp_path, ask, unit):
 
 
 @pytest.mark.parametrize(
-    "head", ["# t x y marker_x marker_y", "#made by hand\n#t x y marker_x marker_y\n# the hoop of group 3 in the yard"]
+    "head",
+    [
+        "# t x y marker_x marker_y",
+        "#t\tx\ty\tmarker x\tmarker y",
+        "#made by hand\n#t x y marker_x marker_y\n# the hoop of group 3 in the yard",
+    ],
 )
 def test_comments_are_heads_where_they_are_the_only_ones(tmp_path, head):
     for lines in (head, "# a b c d e\nt x y marker_x marker_y"):
