@@ -65,12 +65,12 @@ def why_no_program(processor):
     return ""
 
 
-def program(processor, folder):
-    """The kernel's entries as a static program for a processor, with its assembly next to it."""
+def program(processor, folder, code=""):
+    """The kernel's entries as a static program for a processor, with its assembly next to it; `code`: LLVM's that has them."""
     import llvmlite.binding as llvm
 
     triple, target = PROCESSORS[processor]
-    code = llvm.parse_assembly(code_of(NATIVE)).as_bitcode()
+    code = llvm.parse_assembly(code or code_of(NATIVE)).as_bitcode()
     machine, code = optimized(code, NATIVE, triple, features=FEATURES.get(processor, ""))
     assembly, made = folder / f"kernel-{processor}.s", folder / f"kernel-{processor}"
     assembly.write_text(machine.emit_assembly(code), encoding="utf-8")

@@ -3,12 +3,11 @@
 import json
 
 import pytest
-from typer.testing import CliRunner
 
 import hophoop as hh
-from hophoop.cli import app
+from cli_tools import HOP, done
 from hophoop.precise import solve
-from precise_tools import HOOP, rolling
+from precise_tools import rolling
 
 
 def test_digits_asked_are_digits_got():
@@ -41,7 +40,7 @@ def test_digits_out_of_range(digits):
 
 def test_compliant_contact_has_no_more_digits():
     with pytest.raises(ValueError, match="needs rigid contact"):
-        hh.simulate(HOOP, hh.Plane(), hh.Start(), contact=hh.Compliant(), digits=30)
+        hh.simulate(hh.Scenario(contact=hh.Compliant()), digits=30)
 
 
 def test_a_solution_that_stops():
@@ -55,23 +54,15 @@ def test_a_solution_that_stops():
     assert float(solve(scenario, 20, until=0.5).records[-1].state.t) == 0.5
 
 
-def run(*arguments):
-    return CliRunner().invoke(app, [str(one) for one in arguments])
-
-
 def test_run_with_digits():
-    done = run("run", "--v0", "3.1", "--duration", "2", "--digits", "30")
-    assert done.exit_code == 0
-    assert "0.266393490875716727249363892232" in done.stdout
-    data = json.loads(run("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--json").stdout)
+    assert "0.266393490875716727249363892232" in done(f"{HOP} --digits 30").stdout
+    data = json.loads(done(f"{HOP} --digits 20 --json").stdout)
     assert data["events"][1]["t"] == "0.26639349087571672725"
 
 
 def test_run_check():
     """Every event has at least 13 digits right here."""
-    done = run("run", "--v0", "3.1", "--duration", "2", "--check")
-    assert done.exit_code == 0, done.output
-    assert "digits of every number are right" in done.stdout
-    data = json.loads(run("run", "--v0", "3.1", "--duration", "2", "--check", "--json").stdout)
+    assert "digits of every number are right" in done(f"{HOP} --check").stdout
+    data = json.loads(done(f"{HOP} --check --json").stdout)
     assert data["difference"] == ""
     assert all(event["digits"]["t"] > 13 for event in data["events"])

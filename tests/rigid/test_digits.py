@@ -51,6 +51,15 @@ MOTIONS = {
         "&start.vy=-2&start.omega=-1",
         14.5,
     ),
+    "what comes to rest at one hilltop does not do so at the other": (
+        "duration=22&hoop.load_fraction=0.02&plane.mu=1.253973103890006e-5&start.speed=0.0379", 13.5,
+    ),
+    "thrown down in free space with spin: the gap has tops on its way, none as high as the start, which are no apex": (
+        "duration=7.6&hoop.radius=1.4183860456955892&hoop.eccentricity=0.28770369934905493&hoop.inertia_ratio=0.26132841846141935"
+        "&plane.gravity=0&plane.mu=0&start.height=0.9771388712089832&start.angle=-3.983657756686453&start.vx=1.8"
+        "&start.vy=-1.4800663946968728&start.omega=-3.517763724036154",
+        14.5,
+    ),
     # beside an edge the start has no more digits than its angle, over the offset: 1e-6 rad/s, 1e-6 rad and 1e-9 rad
     "pushed over the edge": (f"{EDGE}&plane.rolling_resistance=0.02&start.angle=0.026669828172280148&start.speed=1e-6", 12.5),
     "let go beyond the edge": (f"{EDGE}&plane.rolling_resistance=0.02&start.angle=0.02667082817228015", 12.0),

@@ -37,6 +37,9 @@ ONCE = {
         "duration=0.017484476528125212&hoop.radius=0.00019217056231712746&hoop.mass=1e12&hoop.eccentricity=0"
         "&hoop.inertia_ratio=5.79010011140085e-5&plane.gravity=8540.967397232022&plane.mu=1e6&plane.restitution=1"
         f"&plane.impact_law=newton&{BOTTOM}&start.vx=0.9999999999999999&start.omega=1",
+    "jammed where slip begins at the singular angle, which is at its end":
+        "duration=1000&hoop.radius=9.57061204309192&hoop.eccentricity=1&hoop.inertia_ratio=1e-12&plane.gravity=15.113836368357711"
+        "&plane.restitution=1&plane.impact_law=newton&start.angle=1.3621702201520565&contact.max_events=150",
     "made energy beside the hilltop: θ̇² loses digits on the way round and regains them there, and v_t has to follow":
         "hoop.load_fraction=0.9999999994242047&plane.mu=1e-200&start.angle=1e-40&start.vx=12&start.omega=0.00019809088823063016",
     "the same of one that turns back each time":
@@ -53,6 +56,7 @@ KNOWN = {
     "a turn that led from slip into rolling, beside μ = 0": ("at_rest", "SR"),
     "completed with ω = inf": ("completed", "M"),
     "the same of one that turns back each time": ("completed", "K"),
+    "jammed where slip begins at the singular angle, which is at its end": ("event_limit", ""),
     "the end at a limit": ("event_limit", "H"),
     "the end of a compliant contact at a limit": ("event_limit", "R"),
 }

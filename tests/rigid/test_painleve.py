@@ -24,20 +24,6 @@ def test_energy_keeps_rolling_hoops_from_the_jam(hoop, mu):
         hh.theory.least_jam_speed(hoop, hh.Plane(slope=0.1))
 
 
-def test_slip_that_begins_at_the_singular_angle_is_at_its_end():
-    """κ = 10⁻¹², ε = 1 and μ = 1: p = 0 at 3π/2, where rolling uses up its friction; there is no slip to be stopped."""
-    motion = hh.simulate(
-        hh.Hoop(eccentricity=1.0, inertia_ratio=1e-12, radius=9.57061204309192),
-        hh.Plane(mu=1.0, gravity=15.113836368357711, restitution=1.0, impact_law="newton"),
-        hh.Start(angle=1.3621702201520565),
-        duration=1e3,
-        contact=hh.Rigid(max_events=150),
-    )
-    assert motion.status == "event_limit"
-    assert not motion.find("jam")
-    assert abs(motion.ledger.residual) <= 1e-10 * motion.ledger.range
-
-
 @pytest.mark.parametrize("index", AT_PAINLEVE)
 def test_a_start_at_the_threshold_is_in_doubt(index):
     """Within 4 units in the last place of it the sign of κ p_σ decides whether it jams, turns, or is thrown up by 1e-9."""
