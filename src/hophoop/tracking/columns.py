@@ -13,9 +13,7 @@ from itertools import zip_longest
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from hophoop.scenario import InputError
 from hophoop.tracking.dialects import (
     COMMA_WORDS,
     HEADS,
@@ -26,8 +24,7 @@ from hophoop.tracking.dialects import (
     ROTATION,
     UNITS,
 )
-
-Floats = NDArray[np.float64]
+from hophoop.tracking.scatter import Floats
 
 EMPTY = {"", "-", "–", "none", "nan", "na", "n/a", "null", "#n/a", "#nv", "#wert!", "#value!", "#div/0!"}
 COMMENT = re.compile(r"\s*(?:#(?!N/A|NV\b|[A-Z/0]+!)|%|//)\s*(.*)")
@@ -37,12 +34,16 @@ GROUPED = {",": r"[-+]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?", ".": r"[-+]?[1-9]\d{0,2}(
 CLOCK = re.compile(
     r"(?:(?P<date>\d{1,4}[-./](?:\d{1,2}|[A-Za-z]{3})[-./]\d{1,4})[T,\s]+)?"
     r"(?:(?P<hours>\d+):)?(?P<minutes>\d+):(?P<seconds>\d+(?:[.,]\d+)?)(?:[:;](?P<frames>\d+))?"
-    r"\s*(?P<half>[APap]\.?[Mm]\.?)?\s*(?:Z|UTC|[-+]\d\d:?\d\d)?"
+    r"\s*(?:(?P<half>[APap])\.?[Mm]\.?)?\s*(?:Z|UTC|[-+]\d\d:?\d\d)?"
 )
 BLANKS = r"\s+(?![\[(])"  # not before a unit
 GROUPS = re.compile(r"(?<=\d)[\s'’](?=\d{3}(?:\D|$))")  # signs that group digits and are no separators
 HOUR, DAY = 3600.0, 86400.0
 MOST_SNIFFED = 200  # lines
+
+
+class TableError(ValueError):
+    """Why a table is not read: what its file 'has' or 'is', a full sentence behind the file's name."""
 
 
 class Table(NamedTuple):
@@ -51,8 +52,8 @@ class Table(NamedTuple):
     above: list[list[str]]  # rows above the numbers
     body: list[list[str]]  # rows of numbers, '' for empty cells, without those at their ends
     comments: list[str]  # above each of these rows
-    below: str  # text below the numbers
     separator: str  # between cells; '' for blanks
+    notes: list[str]  # remarks on how it was understood
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,23 +75,17 @@ class Column:
         return self.head or f"column {self.number}"
 
 
-def read_columns(text: str, name: str, rate: float | None = None) -> tuple[list[Column], list[str]]:
-    """Read a table: its columns, and remarks on how it was understood.
-
-    name: of the file, for messages; rate: frames per second, for clocks that count frames.
-    """
-    table = split(text, name)
-    found, notes = columns(table, name, rate)
-    if table.below:
-        notes.append(f"Lines below the table are not read: {table.below}")
-    return apart(grouped(found), table.comments), notes
+def read_columns(text: str, rate: float | None = None) -> tuple[list[Column], list[str]]:
+    """Read a table: its columns, and remarks on it; rate: frames per second, for clocks that count frames."""
+    table = split(text)
+    return apart(grouped(columns(table, rate)), table.comments), table.notes
 
 
 # --- lines and cells -------------------------------------------------------------------------------
 
 
-def split(text: str, name: str) -> Table:
-    """Split a text into cells, and the rows of numbers from those above and below; name: of the file, for messages."""
+def split(text: str) -> Table:
+    """Split a text into cells, and the rows of numbers from those above and below."""
     digits = {ord(sign): str(unicodedata.decimal(sign)) for sign in set(text) if sign.isdecimal()}
     said, counts, lines = [""], [], []  # comments, and lines with the number of comments above each
     for line in text.translate(digits | SIGNS).splitlines():
@@ -100,28 +95,28 @@ def split(text: str, name: str) -> Table:
             lines.append(line)
             counts.append(len(said))
     if not lines:
-        raise InputError(f"{name} is empty.")
+        raise TableError("is empty.")
     separator = next((sign for sign in "\t;," if _divides(sign, lines[:MOST_SNIFFED])), "")
     rows = _rows(lines, separator)
     counts = counts[-len(rows) :]  # a cell with a line break makes one row of two lines
     first = _first_row(rows)
     if first is None:
-        raise InputError(f"{name} has no {'table' if len(rows) < 2 else 'row of numbers'}.")
-    last = max(k for k, row in enumerate(rows) if _is_data(row)) + 1
-    above, body = rows[:first], rows[first:last]
+        raise TableError(f"has no {'table' if len(rows) < 2 else 'row of numbers'}.")
+    last = max(k for k, row in enumerate(rows, 1) if _is_data(row))
+    above, body = rows[:first], [["" if cell.lower() in EMPTY else cell for cell in row] for row in rows[first:last]]
     width = max(map(len, body))
     short = next((k for k, row in enumerate(body, 1) if len(row) < width), None)
     if short and not separator:
-        raise InputError(
-            f"{name} has a cell too few in row {short} of the numbers, and blanks do not show which one is empty: "
+        raise TableError(
+            f"has a cell too few in row {short} of the numbers, and blanks do not show which one is empty: "
             "save the table with semicolons."
         )
     if width > 1 and max(map(len, above), default=0) < 2:  # comments are heads where they are the only ones
-        heads_in_comments = [_divided(comment, width, separator) for comment in said[1 : counts[first]]]
+        heads_in_comments = (_divided(comment, width, separator) for comment in said[1 : counts[first]])
         above = [cells for cells in heads_in_comments if len(cells) == width][-1:]
-    cells = [[_without_groups(cell) for cell in row] for row in body]
     comments = [said[count - 1] for count in counts[first:last]]
-    return Table(above, cells, comments, " ".join(cell for row in rows[last:] for cell in row), separator)
+    below = " ".join(map(" ".join, rows[last:]))
+    return Table(above, body, comments, separator, [f"Lines below the table are not read: {below}"] if below else [])
 
 
 def _divides(sign: str, lines: list[str]) -> bool:
@@ -135,14 +130,16 @@ def _divides(sign: str, lines: list[str]) -> bool:
 
 
 def _rows(lines: list[str], separator: str) -> list[list[str]]:
-    """Return the cells of lines, without empty ones at their ends."""
+    """Return the cells of lines without signs that group digits, and without empty cells at their ends."""
     if separator:
         rows = list(csv.reader(lines, delimiter=separator, skipinitialspace=True))
     else:
         width = statistics.mode(len(re.split(BLANKS, line.strip())) for line in lines)
         rows = [_divided(line, width) for line in lines]
-    stripped = [[cell.strip() for cell in row] for row in rows]
-    return [row[: max((k for k, cell in enumerate(row, 1) if cell), default=0)] for row in stripped]
+    for row in rows:
+        while row and not row[-1].strip():
+            row.pop()
+    return [[GROUPS.sub("", cell.strip()) for cell in row] for row in rows]
 
 
 def _divided(line: str, width: int, sign: str = "") -> list[str]:
@@ -151,15 +148,9 @@ def _divided(line: str, width: int, sign: str = "") -> list[str]:
     return next((cells for cells in ways if len(cells) == width), ways[0])
 
 
-def _without_groups(cell: str) -> str:
-    """Return a cell without signs that group digits, '' if it says that it is empty."""
-    return "" if cell.lower() in EMPTY else GROUPS.sub("", cell)
-
-
 def _is_number(cell: str) -> bool:
     """Return True for a number, and for a clock with or without a date."""
-    bare = GROUPS.sub("", cell)
-    return bool(NUMBER.fullmatch(bare) or CLOCK.fullmatch(bare))
+    return bool(NUMBER.fullmatch(cell) or CLOCK.fullmatch(cell))
 
 
 def _is_data(row: Sequence[str]) -> bool:
@@ -190,36 +181,33 @@ def heads(above: list[list[str]]) -> list[Column]:
         if row[0] and (len(set(zip(points, names, strict=True))) == len(names) or len(set(words)) < 2):
             break
         points = [f"{word} {point}".strip() for word, point in zip(words, points, strict=True)]
-    names, points = (  # a name in the row of points, over no name
-        [name or point for name, point in zip(names, points, strict=True)],
-        [point if name else "" for name, point in zip(names, points, strict=True)],
-    )
-    meanings = NAMES | ({"time": ""} if "seconds_elapsed" in names else {})  # of Sensor Logger
-    return [
-        _head(Column(k, f"{point} {name}".strip(), point), name, unit, meanings)
-        for k, (name, point, unit) in enumerate(zip_longest(names, points, below[: len(names)], fillvalue=""), 1)
-    ]
+    found = [_head(k, *cells) for k, cells in enumerate(zip_longest(names, points, below[: len(names)], fillvalue=""), 1)]
+    clock = "time" if "seconds_elapsed" in names else ""  # of Sensor Logger, which writes both
+    return [replace(column, quantity="") if column.head == clock else column for column in found]
 
 
-def _head(column: Column, name: str, below: str, meanings: dict[str, str]) -> Column:
-    """Return a column with the meaning of its name; below: the unit in a row of its own; meanings: of words."""
+def _head(number: int, name: str, point: str, below: str) -> Column:
+    """Return a column with the meaning of its name; below: the unit in a row of its own."""
+    head, group = f"{point} {name}".strip(), ""
+    if not name:  # it is in the row of points
+        name, point = point, ""
     for pattern in HEADS:
         if found := re.fullmatch(pattern, name, re.IGNORECASE):
-            parts, name = found.groupdict(), found["name"]
-            column = replace(column, point=parts.get("point", column.point), group=parts.get("group", column.group))
+            parts = found.groupdict()
+            name, point, group = parts["name"], parts.get("point", point), parts.get("group", group)
     text, unit = units(name, below)
-    words = re.findall(r"[^\W\d_]+|\d+", text)
-    single = {meanings.get(word) for word in words}
-    quantity = meanings.get(" ".join(words), single.pop() if len(single) == 1 else None)  # Winkel φ is an angle
-    if quantity is not None:
-        return replace(column, quantity=quantity, unit=unit)
+    words = re.findall(r"[gwω](?=[xyz]\b)|[^\W\d_]+|\d+", text)  # gx is an axis of a gyroscope
     axis = "".join(word for word in words if word in "xyz")
     rest = " ".join(word for word in words if word not in "xyz")
-    if (re.fullmatch("[gwω][xyz]", rest) and not unit.startswith("m")) or (len(axis) == 1 and re.search(ROTATION, rest)):
-        return replace(column, quantity="omega", unit=unit)
-    moves = re.search(NO_POSITION, rest) or "/" in unit or unit in OTHER_UNITS
-    usual = "" if moves or len(axis) != 1 else axis
-    return replace(column, point=f"{column.point} {rest}".strip(), quantity=usual, unit=unit)
+    said = " ".join(words)
+    quantity = next((name for name, known in NAMES.items() if re.fullmatch(rf"((^| )({known}))+", said)), "")  # Winkel φ
+    if not quantity:
+        moves = re.search(NO_POSITION, rest) or "/" in unit or unit in OTHER_UNITS
+        if len(axis) == 1 and re.search(ROTATION, rest) and not unit.startswith("m"):
+            quantity = "omega"
+        else:
+            point, quantity = f"{point} {rest}".strip(), "" if moves or len(axis) != 1 else axis
+    return Column(number, head, point, quantity, unit, group)
 
 
 def units(name: str, below: str = "") -> tuple[str, str]:
@@ -227,11 +215,9 @@ def units(name: str, below: str = "") -> tuple[str, str]:
 
     below: the unit in a row of its own.
     """
-    unit = _unit(below)
+    unit, name = _unit(below), re.sub(r"[\[(]([XYZxyz])[\])]", r" \1 ", name)  # Gyroscope (z)
     found = re.fullmatch(r"(.*?)\s*(?:[\[(]([^\])]*)[\])]|\s/\s(\S+))(.*)", name)
-    if found and _plain(found[2] or "") in ("x", "y", "z"):  # Gyroscope (z)
-        name = f"{found[1]} {found[2]} {found[4]}"
-    elif found:
+    if found:
         name, unit = f"{found[1]} {found[4]}", _unit(found[2] or found[3] or "")
     text = _plain(re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)).replace("_", " ").strip(" /")
     for pattern in (r"(.*\w)\s*(?:,|\bin\b|\s)\s*(\S+)", r"(.*\w)/(\S+)"):
@@ -259,101 +245,93 @@ def unit_factor(text: str, kind: str) -> float | None:
 
 def _plain(text: str) -> str:
     """Return lower-case text without accents and special spaces."""
-    letters = unicodedata.normalize("NFKD", text)
-    return "".join(letter for letter in letters if not unicodedata.combining(letter)).lower()
+    return "".join(sign for sign in unicodedata.normalize("NFKD", text) if not unicodedata.combining(sign)).lower()
 
 
 # --- numbers ---------------------------------------------------------------------------------------
 
 
-def columns(table: Table, name: str, rate: float | None) -> tuple[list[Column], list[str]]:
-    """Return the columns of a table, and remarks on signs that group digits."""
+def columns(table: Table, rate: float | None) -> list[Column]:
+    """Return the columns of a table."""
     wide = max(map(len, table.body))
-    named = heads(table.above) or [Column(k + 1) for k in range(wide)]
-    if wide > len(named) and table.separator in ("", ","):
-        raise InputError(
-            f"{name} has a row of {wide} cells under {len(named)} names: a comma can divide cells or numbers, not both. "
+    named = heads(table.above)
+    if 0 < len(named) < wide and table.separator in ("", ","):
+        raise TableError(
+            f"has a row of {wide} cells under {len(named)} names: a comma can divide cells or numbers, not both. "
             "Save it with semicolons."
         )
     named += [Column(k + 1) for k in range(len(named), wide)]  # such as a remark without a name
-    decimal, notes = _decimal_sign(table, name)
+    decimal = _decimal_sign(table)
     found = []
-    for k, column in enumerate(named):
-        cells = [row[k] if k < len(row) else "" for row in table.body]
+    missing = [[""] * len(table.body)] * (len(named) - wide)
+    for column, cells in zip(named, [*zip_longest(*table.body, fillvalue=""), *missing], strict=True):
         known = [cell for cell in cells if cell]
         if known and all(map(CLOCK.fullmatch, known)):
-            numbers, counted = _clock(known, rate, name, column.label)
+            numbers, counted = _clock(known, rate, column.label)
             column = replace(column, unit="s", quantity="frame" if counted else column.quantity)
         else:
-            numbers = np.array([_number(cell, decimal) for cell in known])
-        values = np.full(len(cells), np.nan)
-        values[[cell != "" for cell in cells]] = numbers
-        bad = next((row for row, cell in enumerate(cells) if cell and not np.isfinite(values[row])), None)
-        has_numbers = bool(np.isfinite(values).any())
-        if bad is not None and has_numbers:
-            raise InputError(
-                f"{name} has {cells[bad][:40]!r} in column {column.label}, row {bad + 1} below the names, "
-                "which must be a number."
-            )
+            numbers = np.array([float(_pointed(cell, decimal)) if NUMBER.fullmatch(cell) else np.nan for cell in known])
+        values, there = np.full(len(cells), np.nan), np.array([cell != "" for cell in cells])
+        values[there] = numbers
+        bad, has_numbers = np.flatnonzero(there & ~np.isfinite(values)), bool(np.isfinite(values).any())
+        if len(bad) and has_numbers:
+            row = bad[0]
+            said = f"has {cells[row][:40]!r} in column {column.label}, row {row + 1} below the names"
+            raise TableError(f"{said}, which must be a number.")
         found.append(replace(column, values=values, words=() if has_numbers else cells))
-    return found, notes
+    return found
 
 
-def _decimal_sign(table: Table, name: str) -> tuple[str, list[str]]:
-    """Return the decimal sign of a table, ',.' if it has both or none, and a remark if the other one groups digits."""
+def _decimal_sign(table: Table) -> str:
+    """Return the decimal sign of a table, ',.' if it has both or none; remark on another one that groups digits."""
     numbers = [(k, cell) for row in table.body for k, cell in enumerate(row) if NUMBER.fullmatch(cell)]
-    marked = {sign: [(k, cell) for k, cell in numbers if sign in cell] for sign in GROUPED}
-    grouped = {sign: [(k, cell) for k, cell in marked[sign] if re.fullmatch(GROUPED[sign], cell)] for sign in GROUPED}
-    decimals = [sign for sign in GROUPED if len(grouped[sign]) < len(marked[sign])]
+    grouped = {sign: [(k, cell) for k, cell in numbers if re.fullmatch(GROUPED[sign], cell)] for sign in GROUPED}
+    decimals = [sign for sign in GROUPED if len(grouped[sign]) < sum(sign in cell for _, cell in numbers)]
     signs = [sign for sign in GROUPED if grouped[sign] and decimals != [sign]]
     if not decimals and len(signs) == 1:
-        within = {k for k, _ in grouped[signs[0]]}
-        integers = any(k in within and signs[0] not in cell for k, cell in numbers)
-        if integers == (signs == [","]):  # 985, 1,002 and 1,019; or 1.002 and 1.019 in all rows
-            decimals, signs = ["."], signs if integers else []
-        elif not integers and (table.separator == ";" or re.search(COMMA_WORDS, _plain(str(table.above)))):  # 1,002 in all rows
+        sign = signs[0]
+        within = {k for k, _ in grouped[sign]}
+        if any(k in within and sign not in cell for k, cell in numbers):  # 985, 1,002 and 1,019
+            decimals = ["."] if sign == "," else []
+        elif sign == "." or table.separator == ";" or re.search(COMMA_WORDS, _plain(str(table.above))):  # 1.002 in all rows
             decimals, signs = signs, []
-    if not signs:
-        return "".join(decimals) or ",.", []
-    _, cell = grouped[signs[0]][0]
-    if len(decimals) != 1:
-        raise InputError(
-            f"{name} has the number {cell}, which has two readings: save the table without signs that group digits."
-        )
-    return decimals[0], [f"{cell} is read as {_pointed(cell, decimals[0])}."]
+    decimal = "".join(decimals) or ",."
+    if signs:
+        _, cell = grouped[signs[0]][0]
+        if len(decimal) > 1:
+            raise TableError(f"has the number {cell}, which has two readings: save the table without signs that group digits.")
+        table.notes.insert(0, f"{cell} is read as {_pointed(cell, decimal)}.")
+    return decimal
 
 
 def _pointed(cell: str, decimal: str) -> str:
     """Return a number with a decimal point, without signs that group digits."""
-    other = {",": ".", ".": ","}.get(decimal, "")
-    return (cell.replace(other, "") if other else cell).replace(",", ".")
+    return "".join(sign for sign in cell if sign in decimal or sign not in ",.").replace(",", ".")
 
 
-def _number(cell: str, decimal: str) -> float:
-    """Return the number of a cell, nan for words."""
-    return float(_pointed(cell, decimal)) if NUMBER.fullmatch(cell) else float("nan")
-
-
-def _clock(known: list[str], rate: float | None, name: str, label: str) -> tuple[Floats, bool]:
+def _clock(known: list[str], rate: float | None, label: str) -> tuple[Floats, bool]:
     """Return seconds of clocks, from the first row unless it is below an hour, or numbers of frames, and which these are."""
-    parts = [found.groupdict() for cell in known if (found := CLOCK.fullmatch(cell))]
-    hours, minutes, seconds, frames = (
-        np.array([float((one[part] or "0").replace(",", ".")) for one in parts])
-        for part in ("hours", "minutes", "seconds", "frames")
-    )
-    halves = np.array([(one["half"] or "").lower()[:1] for one in parts])
-    values = HOUR * np.where(halves == "", hours, hours % 12 + 12 * (halves == "p")) + 60.0 * minutes + seconds
-    values += DAY * np.cumsum(np.diff(values, prepend=values[0]) < -0.5 * DAY)
-    counted = any(one["frames"] for one in parts)
+    clocks = [found for cell in known if (found := CLOCK.fullmatch(cell))]
+    values, frames = np.array([(_seconds(one), float(one["frames"] or 0)) for one in clocks]).T
+    values = values + DAY * np.cumsum(np.diff(values, prepend=values[0]) < -0.5 * DAY)
+    counted = any(one["frames"] for one in clocks)
     if counted:
         if rate is None or frames.max() >= round(rate):
-            raise InputError(
-                f"{name} counts frames in {label}: give the frames per second as taken, such as "
+            raise TableError(
+                f"counts frames in {label}: give the frames per second as taken, such as "
                 f"--rate {30 if frames.max() < 30 else frames.max() + 1:.0f} (rate= in a Reading)."
             )
         values = values * round(rate) + frames
-    elapsed = values[0] < HOUR and not counted and not any(one["date"] for one in parts)
+    elapsed = values[0] < HOUR and not counted and not any(one["date"] for one in clocks)
     return values if elapsed else values - values[0], counted
+
+
+def _seconds(clock: re.Match[str]) -> float:
+    """Seconds of a clock from midnight, without its frames."""
+    hours, minutes, seconds = (float((clock[part] or "0").replace(",", ".")) for part in ("hours", "minutes", "seconds"))
+    if clock["half"]:
+        hours = hours % 12 + 12 * (clock["half"] in "pP")
+    return HOUR * hours + 60.0 * minutes + seconds
 
 
 # --- groups of columns, and rows of several objects ------------------------------------------------
@@ -378,20 +356,19 @@ def apart(found: list[Column], comments: list[str]) -> list[Column]:
     key = next((column for quantity in ("t", "frame") for column in found if column.quantity == quantity), None)
     if key is None or len(set(key.values)) == len(key.values):
         return found
-    times = np.unique(key.values)
+    times, rows = np.unique(key.values, return_inverse=True)
     numbers = [column for column in found if column.quantity not in ("t", "frame") and not column.words]
     named = [list(map("{:g}".format, column.values)) for column in numbers if column.quantity == "object"]
     for labels in (comments, *(column.words for column in found if column.words), *named):
         kinds = list(dict.fromkeys(labels))
-        if len(set(zip(key.values, labels, strict=True))) < len(labels) or not 1 < len(kinds) <= len(labels) / 3:
+        if len(set(zip(rows, labels, strict=True))) < len(rows) or not 1 < len(kinds) <= len(rows) / 3:
             continue
         split_up = [replace(key, values=times)]
         for kind in kinds:
             own = np.array(labels) == kind
-            rows = np.searchsorted(times, key.values[own])
             for column in numbers:
                 values = np.full(len(times), np.nan)
-                values[rows] = column.values[own]
+                values[rows[own]] = column.values[own]
                 point, head = f"{kind} {column.point}".strip(), f"{kind} {column.label}"
                 split_up.append(replace(column, head=head, point=point, values=values))
         return split_up

@@ -58,13 +58,12 @@ def _said(kind: str) -> str:
     return "|".join(words[kind] for words in languages if kind in words)
 
 
-NAMES: dict[str, str] = {
-    **{word: name for name in ("t", "frame", "angle", "polar", "omega", "object") for word in _said(name).split("|")},
-    **{name.replace("_", " "): name for name in COLUMNS if name.startswith("sigma") or "column" in name or "row" in name},
+NAMES = {name: _said(name) for name in ("t", "frame", "angle", "polar", "omega", "object")} | {
+    name: name.replace("_", " ") for name in COLUMNS if name.startswith("sigma") or "column" in name or "row" in name
 }
 COMMA_WORDS = "|".join(words for language in COMMA_LANGUAGES.values() for words in language.values())
 CENTRE, MARKER, NO_POSITION = _said("centre"), _said("marker"), _said("no position")
-ROTATION = rf"{_said('gyroscope')}|\b(?:{_said('omega')})\b"
+ROTATION = rf"{_said('gyroscope')}|^g$|\b(?:{_said('omega')})\b"
 
 # --- units -----------------------------------------------------------------------------------------
 

@@ -8,15 +8,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
-from hophoop.tracking.columns import Column, unit_factor
+from hophoop.tracking.columns import Column, TableError, unit_factor
 from hophoop.tracking.dialects import CENTRE, KIND, MARKER, PIXELS, SHOWN, UNITS
 from hophoop.tracking.hints import require_above_0
+from hophoop.tracking.scatter import Floats
 from hophoop.tracking.table import COLUMNS, Track, track_of
-
-Floats = NDArray[np.float64]
 
 CHANNELS = ("frame", *COLUMNS)
 CERTAIN = COLUMNS.keys() - {"t", "x", "y", "angle", "omega"}  # quantities whose name has only one meaning
@@ -82,11 +80,16 @@ class Reading:
         require_above_0(radius=self.radius, rate=self.rate)
 
 
+def question(said: str, *options: str) -> TableError:
+    """Return the error of a table that leaves something open, with options that answer it."""
+    answer = " or ".join(filter(None, options))
+    return TableError(f"{said}{f': give {answer}' if answer else ''}.")
+
+
 @dataclass(frozen=True)
 class Sheet:
     """Columns of a table, which get their quantities."""
 
-    name: str
     how: Reading
     columns: list[Column]
     notes: list[str]
@@ -94,30 +97,22 @@ class Sheet:
 
     def free(self, *quantities: str) -> list[Column]:
         """Columns of some quantities, or all, that have numbers and are not used yet."""
-        taken = self.used.values()
-        known = [column for column in self.columns if column not in taken and np.isfinite(column.values).any()]
-        return [column for column in known if not quantities or column.quantity in quantities]
+        rest = [column for column in self.columns if column not in self.used.values() and np.isfinite(column.values).any()]
+        return [column for column in rest if not quantities or column.quantity in quantities]
 
     def option(self, **wanted: Column) -> str:
         """Options that name columns: by their heads, or by their numbers where heads do not tell them apart."""
         labels = [column.head.casefold() for column in self.columns]
-        names = {
-            channel: column.label
-            if labels.count(column.label.casefold()) == 1 and re.fullmatch(r"[^\W\d][^'\"\n]*", column.label)
-            else column.number
-            for channel, column in wanted.items()
-        }
-        return " ".join(f"--column {shlex.quote(f'{channel}={name}')}" for channel, name in names.items())
+        words = []
+        for channel, column in wanted.items():
+            clear = labels.count(column.head.casefold()) == 1 and re.fullmatch(r"[^\W\d][^'\"\n]*", column.head)
+            words.append(f"--column {shlex.quote(f'{channel}={column.head if clear else column.number}')}")
+        return " ".join(words)
 
     def such(self, *channels: str) -> str:
         """Options that name columns without a meaning, '' if there are too few."""
         free = self.free("")
         return self.option(**dict(zip(channels, free, strict=False))) if len(free) >= len(channels) else ""
-
-    def question(self, said: str, *options: str) -> InputError:
-        """Return the error of a table that leaves something open, with options that answer it."""
-        answer = " or ".join(filter(None, options))
-        return InputError(f"{self.name} {said}{f': give {answer}' if answer else ''}.")
 
     @property
     def listed(self) -> str:
@@ -128,7 +123,7 @@ class Sheet:
         """Return the one column that was found, None if there is none; two are asked for."""
         if len(found) > 1:
             both = f"{found[0].label} and {found[1].label}"
-            raise self.question(f"has the columns {both} for {channel}", *(self.option(**{channel: one}) for one in found[:2]))
+            raise question(f"has the columns {both} for {channel}", *(self.option(**{channel: one}) for one in found[:2]))
         return found[0] if found else None
 
 
@@ -138,21 +133,19 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
     used = sheet.used
     # points of other programs are not along and above the plane; our own table's are
     ours = {"sigma_x", "sigma_y"} <= used.keys()
-    centre = _find_positions(sheet)
-    _find_rotation(sheet, centre)
+    _find_rotation(sheet, _find_positions(sheet))
     for a, b in (("x", "y"), ("y", "x"), ("marker_x", "marker_y"), ("marker_y", "marker_x")):
         if a in used and b not in used:
-            raise sheet.question(f"has a column {used[a].label}, but none for {b}; {sheet.listed}", sheet.such(b))
+            raise question(f"has a column {used[a].label}, but none for {b}; {sheet.listed}", sheet.such(b))
     if not {"x", "marker_x", "angle", "omega"} & used.keys():
         said = f"has neither x and y, nor marker_x and marker_y, nor angle, nor omega; {sheet.listed}"
-        raise sheet.question(said, sheet.such("x", "y"))
+        raise question(said, sheet.such("x", "y"))
     t = times(sheet)
     values = {channel: _converted(sheet, channel) for channel in used if channel not in ("t", "frame")}
     if "angle" in values:
         values["angle"] = unwrapped(values["angle"])
     if "x" in values:
-        nothing = np.full(len(t), np.nan)
-        arm = [values.get(f"marker_{axis}", nothing) - values[axis] for axis in ("x", "y")]
+        arm = [values.get(f"marker_{axis}", np.nan) - values[axis] for axis in ("x", "y")]
         towards = unwrapped(np.arctan2(*arm))
         if not ours:
             check(sheet, values, np.hypot(*arm), towards)
@@ -166,8 +159,8 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
     keep = np.isfinite(t)
     if not ours:  # a row with a time only is a frame without marks
         keep &= np.isfinite(list(values.values())).any(axis=0)
-    known = (*used.values(), *sheet.free("polar"))
-    unused = [one.label for one in sheet.columns if one not in known and one.label != "state"]
+    rest = [one for one in sheet.columns if one not in used.values() and one.quantity != "polar"]
+    unused = [one.label for one in rest if one.label != "state"]
     if unused:
         more = f" and {len(unused) - MOST_NAMED} more" if len(unused) > MOST_NAMED else ""
         sheet.notes.append(f"Columns of {source} that are not used: {', '.join(unused[:MOST_NAMED])}{more}.")
@@ -188,26 +181,25 @@ def _use_named(sheet: Sheet) -> None:
     if len(groups) > 1 and not named:
         first = [next(column for column in sheet.columns if column.group == group) for group in groups]
         options = [sheet.option(**{column.quantity: column}) for column in first]
-        raise sheet.question("has several runs, or sensors with times of their own", *options)
+        raise question("has several runs, or sensors with times of their own", *options)
     if groups:
         kept = [column for column in sheet.columns if column.group in ("", *groups)]
         clocks = [column for column in kept if column.quantity == "t"]
         if any(not np.array_equal(clocks[0].values, clock.values, equal_nan=True) for clock in clocks):
-            raise sheet.question("has other times for some of the columns that are named")
+            raise question("has other times for some of the columns that are named")
         sheet.columns[:] = kept + [column for column in sheet.columns if column.quantity == "t" and not clocks]
     sheet.used.update({column.quantity: column for column in sheet.columns if column.quantity in CERTAIN} | named)
 
 
 def _named(sheet: Sheet, channel: str, label: str) -> Column:
     """Return the column that is named by its head or its number."""
-    named = [column for column in sheet.columns if column.head.casefold() == label.casefold()]
-    found = named or [column for column in sheet.columns if str(column.number) == label]
+    found = [one for one in sheet.columns if label.casefold() in (one.head.casefold(), str(one.number))]
     if column := sheet.only(found, channel):
         return column
-    raise sheet.question(f"has no column {label!r}; {sheet.listed}", sheet.such(channel))
+    raise question(f"has no column {label!r}; {sheet.listed}", sheet.such(channel))
 
 
-def _unnamed(sheet: Sheet) -> InputError:
+def _unnamed(sheet: Sheet) -> TableError:
     """Return the question of a table without heads, with the numbers of columns and the units that read it."""
     rest, such = sheet.free(), ["--rate 240"]
     if clock := next((column for column in rest if (np.diff(column.values) > 0).all()), None):
@@ -217,7 +209,7 @@ def _unnamed(sheet: Sheet) -> InputError:
         such.append(sheet.option(**dict(zip(("x", "y", "marker_x", "marker_y"), rest, strict=False))))
     elif rest:
         such.append(_as_sensor(sheet, rest))
-    return sheet.question("has no row of column names, to name columns by their numbers", " ".join(such))
+    return question("has no row of column names, to name columns by their numbers", " ".join(such))
 
 
 def _as_sensor(sheet: Sheet, axes: list[Column]) -> str:
@@ -236,71 +228,71 @@ def _size(column: Column) -> float:
 def _find_positions(sheet: Sheet) -> str | None:
     """Find the columns of centre and marker; return the name of the point at the centre."""
     named = {"x", "y", "marker_x", "marker_y"} & sheet.used.keys()
-    free, axes = sheet.free("x", "y"), [column for column in sheet.columns if column.quantity in ("x", "y", "z")]
+    axes = [column for column in sheet.columns if column.quantity in ("x", "y", "z")]
     if not named and {column.quantity for column in axes} == {*"xyz"} and not any(column.unit for column in axes):
         if "omega" not in sheet.used:
             raise _places_or_sensor(sheet, "has three axes without units", axes)
         return None
-    marked = any(re.search(MARKER, column.point.lower()) for column in free)
-    alone = sorted(column.quantity for column in free) == ["x", "y"] and not marked
-    if alone and not (named or sheet.how.centre or sheet.how.marker):  # such as place x and height y
-        sheet.used.update({column.quantity: column for column in free})
-        return free[0].point
-    roles = _roles(sheet, free, asks=not named)
+    roles = _roles(sheet, asks=not named)
     for prefix, point in roles.items():
         for axis in ("x", "y"):
-            found = [column for column in free if (column.point, column.quantity) == (point, axis)]
+            found = [column for column in point if column.quantity == axis]
             if prefix + axis not in named and (column := sheet.only(found, prefix + axis)):
                 sheet.used[prefix + axis] = column
-    return roles.get("")
+    return next((column.point for column in roles.get("", [])), None)
 
 
-def _places_or_sensor(sheet: Sheet, said: str, axes: list[Column]) -> InputError:
+def _places_or_sensor(sheet: Sheet, said: str, axes: list[Column]) -> TableError:
     """Return the question whether axes are places or those of a sensor."""
     places = {column.quantity: column for column in axes if column.quantity != "z"}
     shown = ", ".join(column.label for column in axes)
-    return sheet.question(f"{said}, {shown}, of places or of a sensor", _as_sensor(sheet, axes), sheet.option(**places))
+    return question(f"{said}, {shown}, of places or of a sensor", _as_sensor(sheet, axes), sheet.option(**places))
 
 
-def _roles(sheet: Sheet, free: list[Column], *, asks: bool) -> dict[str, str]:
-    """Return the points of the centre, under '', and of the marker, under 'marker_': as given, by their names or numbers.
+def _roles(sheet: Sheet, *, asks: bool) -> dict[str, list[Column]]:
+    """Return the columns of the centre, under '', and of the marker, under 'marker_': as given, by their names or numbers.
 
     asks: whether one is needed.
     """
-    points = list(dict.fromkeys(column.point for column in free))
+    how, free = sheet.how, sheet.free("x", "y")
+    points: dict[str, list[Column]] = {}
+    for column in free:
+        points.setdefault(column.point, []).append(column)
+    marked = any(re.search(MARKER, point.lower()) for point in points)
+    alone = sorted(column.quantity for column in free) == ["x", "y"] and not marked
+    if asks and alone and not (how.centre or how.marker):  # such as place x and height y
+        return {"": free}
     shown = ", ".join(repr(point) if point else "one without a name" for point in points)
-    roles: dict[str, str] = {}
-    for prefix, said, words in (("", sheet.how.centre, CENTRE), ("marker_", sheet.how.marker, MARKER)):
-        fit = [point for point in points if re.search(words, point.lower())]
+    roles: dict[str, list[Column]] = {}
+    for prefix, said, words in (("", how.centre, CENTRE), ("marker_", how.marker, MARKER)):
+        fit = [those for point, those in points.items() if re.search(words, point.lower())]
         if said is not None:
-            fit = [one.point for one in free if said in (one.point, one.label, re.sub(r"\s*[(\[].*", "", one.label))][:1]
+            fit = [points[one.point] for one in free if said in (one.point, one.label, re.sub(r"\s*[(\[].*", "", one.label))]
             if not fit:
-                raise InputError(f"{sheet.name} has no point {said!r}; its points are {shown}.")
-        if len(fit) == 1:
+                raise question(f"has no point {said!r}; its points are {shown}")
+        if len(fit) == 1 or said is not None:
             roles[prefix] = fit[0]
-    rest = points if len(points) == 1 else [point for point in points if not point or point.isdigit()]
-    rest = [point for point in rest if point not in roles.values()]
-    open_roles = [prefix for prefix in ("", "marker_") if prefix not in roles]
+    rest = [those for point, those in points.items() if not point or point.isdigit() or len(points) == 1]
+    rest = [those for those in rest if those not in roles.values()]
     if len(rest) == 2 and not roles:
-        rest.sort(key=lambda point: _rise_and_fall(free, point))
-        centre, marker = (next(column.label for column in free if column.point == point) for point in rest)
+        rest.sort(key=_rise_and_fall)
         sheet.notes.append(
-            f"{centre} is taken for the centre and {marker}, which rises and falls more, for the marker; "
+            f"{rest[0][0].label} is taken for the centre and {rest[1][0].label}, which rises and falls more, for the marker; "
             "--centre and --marker name others."
         )
-        return dict(zip(open_roles, rest, strict=True))
-    if len(rest) == 1 and open_roles:
-        roles[open_roles[0]] = rest[0]
+    elif len(rest) > 1:
+        rest = []
+    roles |= zip([prefix for prefix in ("", "marker_") if prefix not in roles], rest, strict=False)
     if asks and points and not roles:
-        such = f"--centre {shlex.quote(points[0])} --marker {shlex.quote(points[1])}"
-        raise sheet.question(f"has the points {shown}, and which are the centre and the marker is open", such)
+        centre, marker = map(shlex.quote, list(points)[:2])
+        such = f"--centre {centre} --marker {marker}"
+        raise question(f"has the points {shown}, and which are the centre and the marker is open", such)
     return roles
 
 
-def _rise_and_fall(free: list[Column], point: str) -> float:
+def _rise_and_fall(point: list[Column]) -> float:
     """Standard deviation of a point's y."""
-    heights = [column.values for column in free if (column.point, column.quantity) == (point, "y")]
-    return max(map(float, map(np.nanstd, heights)), default=0.0)
+    return max((float(np.nanstd(column.values)) for column in point if column.quantity == "y"), default=0.0)
 
 
 def _find_rotation(sheet: Sheet, centre: str | None) -> None:
@@ -334,7 +326,7 @@ def _converted(sheet: Sheet, channel: str) -> Floats:
         return column.values * factor
     said = f"gives {column.label} in an unknown unit" if given else f"has no unit of {column.label}"
     usual = {"rad": "deg", "rad/s": "deg/s"}.get(kind, kind)
-    raise sheet.question(f"{said}; known units are {SHOWN[kind]}", f"--unit {channel}={usual}")
+    raise question(f"{said}; known units are {SHOWN[kind]}", f"--unit {channel}={usual}")
 
 
 def unwrapped(angle: Floats) -> Floats:
@@ -359,7 +351,7 @@ def times(sheet: Sheet) -> Floats:
         said = "numbers of frames instead of times" if frames else "no column of times"
         growing = [column for column in sheet.free() if column is not frames and (np.diff(column.values) > 0).all()]
         rate = "--rate 240, the frames per second as taken (rate= in a Reading)"
-        raise sheet.question(f"has {said}; {sheet.listed}", *(sheet.option(t=column) for column in growing[:1]), rate)
+        raise question(f"has {said}; {sheet.listed}", *(sheet.option(t=column) for column in growing[:1]), rate)
     used["t"] = clock
     t = _converted(sheet, "t")
     check_times(sheet, t)
@@ -375,7 +367,7 @@ def _counted(sheet: Sheet, frames: Column | None, clock: Column | None) -> Float
         if (known == np.round(known)).all() and (frames or not column.unit):
             return column.values
         if not uneven(known):
-            raise InputError(f"{sheet.name} has times, no numbers of frames: leave out --rate (rate= in a Reading).")
+            raise question("has times, no numbers of frames: leave out --rate (rate= in a Reading)")
         sheet.notes.append(f"The rows are counted, since the times in {column.label} repeat or come in bursts.")
     return np.arange(len(sheet.columns[0].values), dtype=float)
 
@@ -397,15 +389,15 @@ def check_times(sheet: Sheet, t: Floats) -> None:
     if len(t) >= FEWEST and not STEPS[0] <= step < STEPS[1] and "t" not in sheet.how.units:
         known = clock.values[np.isfinite(clock.values)]
         frames = not clock.unit and (np.diff(known) == 1).all()
-        raise sheet.question(
+        raise question(
             f"has times in {clock.label} with a step of {step:.3g} s, which no camera or sensor has",
             "--rate 240, if these are frames (rate= in a Reading)" if frames else f"--unit t={_unit_of_times(known)}",
         )
     if uneven(t):
         rate = 1.0 / step
         usual = min(RATES, key=lambda one: abs(one - rate))
-        doubt = max(0.01, float(steps.max() / (t[-1] - t[0])))
-        raise sheet.question(
+        doubt = max(0.01, steps.max() / (t[-1] - t[0]))
+        raise question(
             f"has times in {clock.label} that repeat or come in bursts",
             f"--rate {usual if abs(usual - rate) < doubt * rate else round(rate, 1)}, if rows are evenly spaced",
         )
@@ -443,14 +435,14 @@ def check(sheet: Sheet, values: dict[str, Floats], reach: Floats, angle: Floats)
         raise _places_or_sensor(sheet, said, [column, sheet.used["y"]])
 
 
-def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> InputError:
+def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> TableError:
     """Return the question for the unit of lengths, with the size and direction that rolling suggests."""
     size = 0.01
     if sheet.how.radius and len(x) > 2 and np.ptp(angle) > 1.0:
-        size = sheet.how.radius / float(np.polyfit(angle, x, 1)[0]) * (unit_factor(sheet.used["x"].unit, "m") or 1.0)
+        size = sheet.how.radius / np.polyfit(angle, x, 1)[0] * (unit_factor(sheet.used["x"].unit, "m") or 1.0)
     unit = next((unit for unit in ("cm", "mm", "in") if abs(size / UNITS["m"][unit] - 1.0) < 0.1), f"{abs(size):.2g}")
     y, down = (f"-{unit}", ", with y downwards,") if size < 0 else (unit, "")
-    return sheet.question(
+    return question(
         f"has lengths{down} whose unit is missing or wrong", f"it, or the size of one in m, by --unit x={unit} --unit y={y}"
     )
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from hophoop.scenario import InputError
-from hophoop.tracking.columns import read_columns
+from hophoop.tracking.columns import TableError, read_columns
 from hophoop.tracking.quantities import Reading, Sheet, track_from_sheet
 from hophoop.tracking.table import Track, parse_json, track_from_dict
 
@@ -60,8 +60,11 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         return _completed(track_from_dict(data, str(file)), how)
     if ending not in TABLES:
         raise InputError(f"{file} must end in {', '.join((*OWN, *TABLES[:-1]))} or {TABLES[-1]}.")
-    sheet = Sheet(str(file), how, *read_columns(text, str(file), how.rate))
-    return _completed(track_from_sheet(sheet, file.name), how)
+    try:
+        track = track_from_sheet(Sheet(how, *read_columns(text, how.rate)), file.name)
+    except TableError as error:
+        raise InputError(f"{file} {error}") from None
+    return _completed(track, how)
 
 
 def _text(file: Path) -> str:

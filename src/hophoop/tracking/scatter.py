@@ -1,4 +1,4 @@
-"""Scatter of data, estimated from the data."""
+"""Scatter of data, estimated from the data; kinds of arrays."""
 
 from __future__ import annotations
 
@@ -6,7 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
+Flags = NDArray[np.bool_]
 
+NOWHERE = complex(np.nan, np.nan)
 NORMAL = 1.4826  # standard deviation of a normal distribution over its median absolute deviation
 
 

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field, TypeAdapter, ValidationError
 
 from hophoop._support.files import replacing
@@ -19,8 +18,7 @@ from hophoop.scenario import InputError
 from hophoop.scenario.checking import input_error
 from hophoop.scenario.formats import parse_reason
 from hophoop.tracking.camera import Camera
-
-Floats = NDArray[np.float64]
+from hophoop.tracking.scatter import Flags, Floats
 
 SCHEMA = "hophoop-track/1"
 HEAD = ("radius", "slope", "slope_error")  # numbers of the whole track
@@ -205,7 +203,7 @@ class Track:
         return tuple(np.where(found, np.where(marked, "found", "no marker"), "lost").tolist())
 
     @property
-    def found(self) -> NDArray[np.bool_]:
+    def found(self) -> Flags:
         """True for each frame in which the hoop was found [1]."""
         return np.array([word != "lost" for word in self.state])
 
@@ -232,10 +230,10 @@ class Track:
             return self
         if keep.sum() < 3:
             raise InputError(
-                f"{self.source or 'The track'} has times from {self.t[0]:g} to {self.t[-1]:g} s, of which {int(keep.sum())} "
+                f"{self.source or 'The track'} has times from {self.t[0]:g} to {self.t[-1]:g} s, of which {keep.sum()} "
                 "are in the window; at least 3 are needed."
             )
-        arrays = {name: getattr(self, name)[keep] for name in {name for name, _, _ in COLUMNS.values()}}
+        arrays = {name: getattr(self, name)[keep] for name, _, _ in COLUMNS.values()}
         view = self.view and replace(self.view, first=self.view.first + int(np.argmax(keep)))
         return replace(self, **arrays, view=view)
 
@@ -251,8 +249,7 @@ class Track:
         head: dict[str, Any] = {"schema": SCHEMA, "source": self.source, "placed": self.placed, "notes": list(self.notes)}
         head |= {name: value for name in HEAD if np.isfinite(value := getattr(self, name))}
         if self.view is not None:
-            view = {key: value for key, value in asdict(self.view).items() if value is not None and value == value}
-            head["view"] = view
+            head["view"] = {key: value for key, value in asdict(self.view).items() if value is not None and value == value}
         return head | {"state": list(self.state), "columns": columns}
 
     def save(self, path: str | Path) -> None:
@@ -278,8 +275,11 @@ class Track:
 
     def _known(self) -> dict[str, Floats]:
         """Columns with values, by their names in a table."""
-        columns = {name: getattr(self, key).T[index] for name, (key, index, _) in COLUMNS.items()}
-        return {name: values for name, values in columns.items() if np.isfinite(values).any()}
+        return {
+            name: values
+            for name, (key, index, _) in COLUMNS.items()
+            if np.isfinite(values := getattr(self, key).T[index]).any()
+        }
 
     def rows(self) -> Iterable[list[str]]:
         """The table as text: names with units, then one row per frame; unknown values are empty cells.
@@ -294,8 +294,7 @@ class Track:
             yield [*("" if np.isnan(value) else repr(float(value)) for value in values), word]
 
     def __repr__(self) -> str:
-        good = int(self.found.sum())
-        return f"<Track of {self.source or 'a hoop'}: found in {good} of {len(self.t)} frames>"
+        return f"<Track of {self.source or 'a hoop'}: found in {self.found.sum()} of {len(self.t)} frames>"
 
 
 def track_of(t: Floats, columns: dict[str, Floats], **others: Any) -> Track:
@@ -306,10 +305,9 @@ def track_of(t: Floats, columns: dict[str, Floats], **others: Any) -> Track:
     count, name = len(t), others.get("source") or "The track"
     if count < 3:
         raise InputError(f"{name} has {count} rows; at least 3 are needed.")
-    bad = np.flatnonzero(~(np.diff(t) > 0))
-    if len(bad) or not np.isfinite(t).all():
-        row = int(bad[0]) + 2 if len(bad) else int(np.flatnonzero(~np.isfinite(t))[0]) + 1
-        raise InputError(f"{name} must have times that increase, which they do not in row {row}.")
+    bad = np.flatnonzero(~(np.diff(t, prepend=-np.inf) > 0) | ~np.isfinite(t))
+    if len(bad):
+        raise InputError(f"{name} must have times that increase, which they do not in row {bad[0] + 1}.")
     arrays: dict[str, Any] = {key: np.full((count, 2) if key in PAIRS else count, np.nan) for key, _, _ in COLUMNS.values()}
     for column, values in {**columns, "t": t}.items():
         key, index, _ = COLUMNS[column]
