@@ -12,14 +12,11 @@ from itertools import product
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
 from hophoop._support.extras import need
-from hophoop.tracking.circle import Complexes, fit_circle
-from hophoop.tracking.scatter import spread
-
-Floats = NDArray[np.float64]
+from hophoop.tracking.circle import fit_circle
+from hophoop.tracking.scatter import Complexes, Floats, spread
 
 USUAL_FOCAL = 0.9  # of a phone, over the width of its picture; error 30 %
 FOCAL_SPREAD = 0.3
@@ -115,7 +112,7 @@ def fit_camera(camera: Camera, edges: list[Complexes], focal_known: bool, blur: 
     """
     edges = [points[:: max(1, len(points) // 60)] for points in edges]
     steps = [np.diff(fit_circle(flat(camera, points))[1]) for points in edges]  # a tilt hardly changes them
-    scatter = max(spread(np.concatenate(steps)) / float(np.sqrt(2.0)), 0.05)
+    scatter = max(spread(np.concatenate(steps)) / np.sqrt(2.0), 0.05)
     # blur and coding add an error of the radius to that of its points, and make an oval of the picture of a rim
     count, wider = np.array([len(points) for points in edges]), BLURRED * blur
     error = np.sqrt(scatter**2 / count + RADIUS_ERROR**2 + wider**2)
@@ -134,12 +131,12 @@ def fit_camera(camera: Camera, edges: list[Complexes], focal_known: bool, blur: 
         return result
 
     def cost(values: Floats) -> float:
-        return float((2.0 * (np.sqrt(1.0 + residuals(values) ** 2) - 1.0)).sum())
+        return 2.0 * float((np.sqrt(1.0 + residuals(values) ** 2) - 1.0).sum())
 
     # the shape of a circle does not show which side is nearer; only its size across the picture does
     starts = sorted((np.array([*tilt, 0.0]) for tilt in product(STARTS, STARTS)), key=cost)
     solve = partial(need("scipy.optimize", "track").least_squares, residuals, loss="soft_l1", bounds=LIMITS, max_nfev=12)
-    best = min((solve(start, xtol=1e-5, ftol=1e-5) for start in starts[:2]), key=lambda one: float(one.cost))
+    best = min((solve(start, xtol=1e-5, ftol=1e-5) for start in starts[:2]), key=lambda one: one.cost)
     return of(best.x) if cost(np.zeros(3)) - 2.0 * best.cost > WORTH else camera
 
 

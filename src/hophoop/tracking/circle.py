@@ -5,12 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from hophoop.tracking.scatter import spread
-
-Floats = NDArray[np.float64]
-Complexes = NDArray[np.complex128]
+from hophoop.tracking.scatter import Complexes, Flags, Floats, spread
 
 BINS = 72  # of the circumference
 UNKNOWN = 0.0, np.inf  # radius, and its error [pixel]
@@ -43,7 +39,7 @@ class CircleFit(NamedTuple):
 
     circle: Circle
     covariance: Floats  # of centre's real and imaginary part and radius [pixel²]
-    inside: NDArray[np.bool_]  # points on the circle
+    inside: Flags  # points on the circle
     spread: float  # of those points about it [pixel]
     oval: tuple[float, float]  # amplitudes of the cosine and sine, twice around, of its radius [pixel]
 
@@ -83,7 +79,7 @@ def robust_circle(
         scale = max(4.685 * scatter, 0.3)
         weight = (1.0 - (off / scale) ** 2).clip(0.0) ** 2
         normal = jacobian.T @ (weight[:, None] * jacobian)
-        if np.linalg.det(normal[:3, :3]) <= 1e-4 * float(np.trace(normal[:3, :3])) ** 2:
+        if np.linalg.det(normal[:3, :3]) <= 1e-4 * np.trace(normal[:3, :3]) ** 2:
             return None  # an arc too short to distinguish from a line
         normal += np.diag(scatter**2 * hold)
         step = np.linalg.solve(normal, jacobian.T @ (weight * off) + scatter**2 * hold * (goal - found))
@@ -115,12 +111,12 @@ def ransac_circles(
     fair = (radius > sizes[0]) & (radius < sizes[1])
     around = np.exp(2.0j * np.pi * np.arange(BINS) / BINS)
     found = []
-    for middle, size in zip(centre[fair].tolist(), radius[fair].tolist(), strict=True):
-        away, rim = points - middle, middle + size * around
-        near = np.abs(np.abs(away) - size) < max(1.2, 0.015 * size)
+    for one in map(Circle, centre[fair].tolist(), radius[fair].tolist()):
+        away, rim = points - one.centre, one.centre + one.radius * around
+        near = np.abs(np.abs(away) - one.radius) < max(1.2, 0.015 * one.radius)
         covered = np.unique(np.round(np.angle(away[near]) * BINS / (2.0 * np.pi)).astype(int) % BINS)
         seen = (rim.real >= 0) & (rim.real < picture[1]) & (rim.imag >= 0) & (rim.imag < picture[0])
-        found.append((float(seen[covered].sum() / max(seen.sum(), 0.25 * BINS)), Circle(middle, size)))
+        found.append((float(seen[covered].sum() / max(seen.sum(), 0.25 * BINS)), one))
     result: list[tuple[float, Circle]] = []
     for share, one in sorted(found, key=lambda pair: -pair[0]):
         apart = (abs(one.centre - old.centre) + abs(one.radius - old.radius) - 0.1 * old.radius for _, old in result)

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-Complexes = NDArray[np.complex128]
+from hophoop._support.extras import need
+from hophoop.tracking.scatter import Complexes, Flags, Floats
 
 LEAST_TURN = 0.25  # minimum rotation of a marker per radius that the hoop goes; rolling has 1, a skid less [rad]
 MOSTLY = 0.5  # minimum share of the frames in which a marker is visible, and of a rim that is seen in half of the frames
@@ -30,11 +28,11 @@ def doubt_hoop(centre: Complexes, agreement: Floats, step: float, radius: float,
     is seen [1]; step: usual time between frames [s]; radius: of the hoop [m]; tilt: of the plane of motion [rad].
     """
     ways, changes = np.abs(np.diff(centre)), np.abs(np.diff(centre, 2))
-    seen = float(np.nanmedian(agreement))
+    seen = np.nanmedian(agreement)
     said = [f"only {100 * seen:.0f} % of a rim are seen in half of the frames"] if seen < MOSTLY else []
     if np.isfinite(changes).any() and np.nanmedian(changes) > max(UNSTEADY, 0.5 * np.nanmedian(ways)):
         said.append("the circle jumps back and forth")
-    speed = radius / step * float(np.nanquantile(ways, 0.9)) if np.isfinite(ways).any() else 0.0
+    speed = radius / step * np.nanquantile(ways, 0.9) if np.isfinite(ways).any() else 0.0
     if speed > FAST * np.sqrt(GRAVITY * radius):
         said.append(f"it moves at {speed:.0f} m/s")
     if not said:
@@ -46,20 +44,22 @@ def doubt_hoop(centre: Complexes, agreement: Floats, step: float, radius: float,
 
 def doubt_marker(x: Floats, angle: Floats) -> list[str]:
     """Doubt that the patch taken for the marker turns with the hoop, from positions in radii and angles."""
-    there, marked = int(np.isfinite(x).sum()), np.isfinite(angle)
-    distance, turned = (float(np.ptp(values[marked])) if marked.any() else 0.0 for values in (x, angle))
+    there, marked = np.isfinite(x).sum(), np.isfinite(angle)
+    distance, turned = (np.ptp(values[marked]) if marked.any() else 0.0 for values in (x, angle))
     if distance > 1.0 and turned < LEAST_TURN * distance:
         said = f"the hoop moves by {distance:.1f} radii while the patch taken for the marker turns by {turned:.2f} rad"
     elif marked.sum() < MOSTLY * there:
-        said = f"the marker is visible in only {int(marked.sum())} of {there} frames with the hoop"
+        said = f"the marker is visible in only {marked.sum()} of {there} frames with the hoop"
     else:
         return []
     return [f"{DOUBT}{said}. Look at the overlay, and give the marker's colour (--marker-color) or use --marker-color none."]
 
 
-def steps_of(centre: Complexes, angle: Floats, radius: float) -> Floats:
-    """Distance that the rim goes from one frame to the next, shape (n − 1,), nan where it is lost; radius [pixel]."""
-    steps: Floats = np.hypot(np.abs(np.diff(centre)), radius * np.nan_to_num(np.diff(angle)))
+def steps_of(centre: Complexes, mark: Complexes, radius: float) -> Floats:
+    """Distance that the rim goes from one frame to the next, shape (n − 1,), nan where it is lost; all in pixels."""
+    arrow = mark - centre
+    turned = np.angle(arrow[1:] * arrow[:-1].conj())
+    steps: Floats = np.hypot(np.abs(np.diff(centre)), radius * np.nan_to_num(turned))
     return steps
 
 
@@ -82,7 +82,7 @@ def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
     waits = np.diff(t)
     if len(waits) < 12:
         return []
-    usual = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(waits, 2, mode="edge"), 5), axis=1)
+    usual = need("scipy.ndimage", "track").median_filter(waits, 5, mode="nearest")
     if usual.max() > CHANGED * usual.min():
         slow = usual > np.sqrt(usual.min() * usual.max())
         fast = f"{1 / usual.min():.0f}"
@@ -92,7 +92,7 @@ def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
             f"If it was taken at one rate, give that, such as --rate {fast}; otherwise keep to one part by --from and --to."
         ]
     said = []
-    count = int(again.sum())
+    count = again.sum()
     if count >= FEWEST and not _double_after(steps, again):
         rate = (len(t) - 1 - count) / (t[-1] - t[0])
         said.append(
@@ -112,7 +112,7 @@ def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
     ratio = speeds[1:-1] / np.maximum(speeds[:-2], speeds[2:])
     leaps = (ratio > CHANGED) & (np.minimum(steps[:-2], steps[2:]) > MOVES) & ~again[1:-2] & ~gaps[1:-1]
     if leaps.any():
-        k = int(leaps.argmax()) + 1
+        k = leaps.argmax() + 1
         said.append(
             f"{DOUBT}between {t[k]:.3f} s and {t[k + 1]:.3f} s the hoop goes {steps[k]:.1f} pixels, "
             f"{ratio[k - 1]:.1f} times as fast as before and after. Look at the overlay there: if pictures are "

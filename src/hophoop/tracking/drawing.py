@@ -7,14 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
+from hophoop.tracking.scatter import Floats
 from hophoop.tracking.table import Track, View
 from hophoop.tracking.video import Picture, open_writer, pictures, rgb
 
-Floats = NDArray[np.float64]
 Colour = tuple[int, int, int]
 
 RIM, MARK, GROUND, GONE = (255, 214, 10), (0, 229, 255), (255, 255, 255), (230, 30, 30)
@@ -42,16 +41,14 @@ def draw(pen: Any, view: View, radius: float, centre: Floats, angle: float, colo
     """
     around = np.linspace(0.0, 2 * np.pi, 91)
     circle = np.stack([np.sin(around), np.cos(around)], axis=-1)
-    rim = centre + radius * circle
-    lines = [(piece, colour, 2) for piece in (np.array_split(rim, 2 * dashes)[::2] if dashes else [rim])]
-    cross = 0.06 * radius * np.array([[[-1, 0], [1, 0]], [[0, -1], [0, 1]]])
-    lines += [(centre + line, colour, 1) for line in cross]
+    cross = 0.06 * np.array([[[-1, 0], [1, 0]], [[0, -1], [0, 1]]])
+    lines = [(piece, colour, 2) for piece in np.array_split(circle, 2 * dashes or 1)[::2]]
+    lines += [(line, colour, 1) for line in cross]
     if np.isfinite(angle):
-        reach = radius * (view.marker_ratio if np.isfinite(view.marker_ratio) else 1.0)
-        tip = centre + reach * np.array([np.sin(angle), np.cos(angle)])
-        lines += [(np.array([centre, tip]), MARK, 2), (tip + 0.05 * radius * circle, MARK, 2)]
-    for points, paint, width in lines:
-        curve(pen, view.to_picture(points, radius), paint, width)
+        tip = np.nan_to_num(view.marker_ratio, nan=1.0) * np.array([np.sin(angle), np.cos(angle)])
+        lines += [(np.array([0.0 * tip, tip]), MARK, 2), (tip + 0.05 * circle, MARK, 2)]
+    for points, paint, width in lines:  # in radii from the centre
+        curve(pen, view.to_picture(centre + radius * points, radius), paint, width)
 
 
 def _draw_frame(picture: Picture, track: Track, row: int, model: tuple[Floats, Floats] | None) -> Any:

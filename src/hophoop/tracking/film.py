@@ -6,7 +6,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop.tracking.camera import pairs
 from hophoop.tracking.doubts import DOUBT, doubt_hoop, doubt_marker
@@ -14,10 +13,8 @@ from hophoop.tracking.ground import LEAST_ERROR, Ground, ground_line, line_throu
 from hophoop.tracking.hints import Hints, require_above_0
 from hophoop.tracking.looking import Seen, look
 from hophoop.tracking.places import Places, find_places
-from hophoop.tracking.scatter import spread, third_differences
+from hophoop.tracking.scatter import Floats, spread, third_differences
 from hophoop.tracking.table import Track, View, along, track_of
-
-Floats = NDArray[np.float64]
 
 SIDEWAYS = 2.0  # rise or fall of a hoop in a film that lies on its side, over the radius
 SCALE_ERROR = 0.5  # error of the rim's radius that all pictures have alike: blur, coding, the width of a drawn line [pixel]
@@ -63,39 +60,36 @@ def track(
 
 def _track(places: Places, seen: Seen, hints: Hints, radius: float, source: str) -> Track:
     """Convert rectified pixels to metres along and above the plane; radius [m]; source: name of the film."""
-    camera, reach, size = places.camera, places.reach, places.radius
-    there, marked = np.isfinite(places.agreement), np.isfinite(reach)
-    scale, centres = size / radius, pairs(places.centre)
+    camera, size, centre = places.camera, places.radius, places.centre
+    there, scale = np.isfinite(places.agreement), size / radius
     if hints.ground is not None:
         line = line_through(camera.to_plane(np.reshape(hints.ground, (2, 2))), size)
     else:
-        line = ground_line(centres[there], np.sqrt(places.covariance[there, 1, 1]), size)
-    turn, base = along(line.angle), np.array([line.x, line.y])
-    origin = base + ((centres[there][0] - base) @ turn[0]) * turn[0]
-    place = (centres - origin) @ turn.T / scale + [0.0, radius]
-    error = np.sqrt(np.einsum("ik,nkl,il->ni", turn, places.covariance, turn) + LEAST_ERROR**2) / scale
-    angle, across = places.angle + line.angle, _marker_error(places, error.mean(axis=1) * scale)
-    marker = place + (reach / scale * [np.sin(angle), np.cos(angle)]).T
-    pixel = camera.to_picture(centres)
+        line = ground_line(pairs(centre[there]), np.sqrt(places.covariance[there, 1, 1]), size)
+    level, base, turn = np.exp(-1j * line.angle), complex(line.x, line.y), along(line.angle)
+    origin = base + ((centre[there][0] - base) * level).real / level
+    place = (centre - origin) * level / scale + 1j * radius
+    error = np.sqrt(np.einsum("ik,nkl,il->in", turn, places.covariance, turn) + LEAST_ERROR**2) / scale
+    angle, across = places.angle + line.angle, _marker_error(places, error.mean(axis=0) * scale)
+    marker = place + 1j * places.reach / scale * np.exp(-1j * angle)
+    pixel = camera.to_picture(pairs(centre)).T
     columns: dict[str, Floats] = {
-        "x": place[:, 0], "y": place[:, 1], "sigma_x": error[:, 0], "sigma_y": error[:, 1],
-        "angle": angle, "sigma_angle": across / reach,
-        "marker_x": marker[:, 0], "marker_y": marker[:, 1],
-        "sigma_marker": np.hypot(across / scale, error.mean(axis=1)),
-        "column": pixel[:, 0], "row": pixel[:, 1],
+        "x": place.real, "y": place.imag, "sigma_x": error[0], "sigma_y": error[1],
+        "angle": angle, "sigma_angle": across / places.reach,
+        "marker_x": marker.real, "marker_y": marker.imag, "sigma_marker": np.hypot(across / scale, error.mean(axis=0)),
+        "column": pixel[0], "row": pixel[1],
         "marker_column": places.marker_pixel.real, "marker_row": places.marker_pixel.imag,
     }  # fmt: skip
-    chroma = None if seen.chroma is None else (seen.chroma.real, seen.chroma.imag)
+    chroma = None if seen.marker is None else (seen.marker.chroma.real, seen.marker.chroma.imag)
     view = View(
-        camera, scale, float(origin[0]), float(origin[1]), line.angle, chroma,
-        float(np.median(reach[marked])) / size if marked.any() else np.nan,
+        camera, scale, float(origin.real), float(origin.imag), line.angle, chroma, places.usual_reach / size,
         hints.exposure, hints.row_delay, hints.rate, SCALE_ERROR / size, line.height_error / scale, line.angle_error,
         seen.first,
     )  # fmt: skip
     step, tilt = float(np.median(np.diff(places.t))), max(abs(camera.tilt_x), abs(camera.tilt_y))
-    doubts = doubt_hoop(places.centre / size, places.agreement, step, radius, tilt) or places.notes
+    doubts = doubt_hoop(centre / size, places.agreement, step, radius, tilt) or places.notes
     if chroma is not None:
-        doubts += doubt_marker(place[:, 0] / radius, angle)
+        doubts += doubt_marker(place.real / radius, angle)
     slope, slope_error = hints.slope, float("nan")
     if slope is None:
         slope = (hints.level or 0.0) - line.angle
@@ -117,13 +111,13 @@ def _marker_error(places: Places, least: Floats) -> Floats:
         return places.reach
     scatter, third = spread(known), third_differences(places.t, places.angle)
     if len(third) >= 8:
-        scatter = min(scatter, spread(third) * float(np.median(known)))
+        scatter = min(scatter, spread(third) * places.usual_reach)
     return np.where(np.isfinite(places.reach), np.maximum(scatter, least), np.nan)
 
 
 def _notes(places: Places, with_marker: bool, line: Ground, hints: Hints) -> tuple[str, ...]:
     notes, there = [], np.isfinite(places.agreement)
-    lost, bare = int((~there).sum()), int((there & np.isnan(places.angle)).sum())
+    lost, bare = (~there).sum(), (there & np.isnan(places.angle)).sum()
     heights, size = places.centre[there].imag, places.radius
     if lost:
         notes.append(f"The hoop is lost in {lost} of {len(there)} frames.")

@@ -5,11 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from hophoop.tracking.scatter import NORMAL
-
-Floats = NDArray[np.float64]
+from hophoop.tracking.scatter import NORMAL, Floats
 
 LOW = 0.15  # share of the frames below the first line
 LEAST_WAY = 0.7  # minimum distance of the centre for a direction, over the radius
@@ -39,27 +36,29 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
     middle, y = float(points[:, 0].mean()), points[:, 1]
     x = points[:, 0] - middle
     directed = bool(np.ptp(x) > LEAST_WAY * radius)
+
+    def fit(weight: np.ndarray) -> tuple[Floats, Floats]:
+        line = np.polyfit(x, y, int(directed), w=np.sqrt(weight))
+        return line, y - np.polyval(line, x)
+
     weight = np.ones(len(x))
     for _ in range(61):  # quantile regression by reweighting
-        line = np.polyfit(x, y, int(directed), w=np.sqrt(weight))
-        off = y - np.polyval(line, x)
+        line, off = fit(weight)
         weight = np.where(off > 0, LOW, 1.0 - LOW) / np.maximum(np.abs(off), 1e-3)
-    error = max(float(np.median(errors)), 0.05)
+    error = max(np.median(errors), 0.05)
     near = np.abs(off) < 4.0 * error
     for _ in range(20):
         if near.sum() >= (4 if directed else 3):
-            line = np.polyfit(x[near], y[near], int(directed))
-            off = y - np.polyval(line, x)
-            near = np.abs(off) < 3.0 * max(error, NORMAL * float(np.median(np.abs(off[near]))))
+            line, off = fit(1.0 * near)
+            near = np.abs(off) < 3.0 * max(error, NORMAL * np.median(np.abs(off[near])))
     if not near.any():  # the hoop keeps no height, as in a film that lies on its side
         near[:] = True
     used = int(near.sum())
-    height_error = max(float(np.sqrt((off[near] ** 2).mean())), LEAST_ERROR) * float(np.sqrt(ALIKE / used))
-    if not directed:
-        return Ground(middle, float(line[-1]), 0.0, used, False, height_error, float("nan"))
-    return Ground(
-        middle, float(line[-1]), float(np.arctan(line[0])), used, True, height_error, height_error / float(np.std(x[near]))
-    )
+    height_error = float(max(np.sqrt((off[near] ** 2).mean()), LEAST_ERROR) * np.sqrt(ALIKE / used))
+    angle, angle_error = 0.0, float("nan")
+    if directed:
+        angle, angle_error = float(np.arctan(line[0])), height_error / float(np.std(x[near]))
+    return Ground(middle, float(line[-1]), angle, used, directed, height_error, angle_error)
 
 
 def line_through(points: Floats, radius: float) -> Ground:

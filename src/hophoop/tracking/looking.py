@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
 from hophoop.tracking.circle import Circle
 from hophoop.tracking.hints import Hints
-from hophoop.tracking.marker import Spot, learn_marker, spots
+from hophoop.tracking.marker import Marker, Spot, learn_marker, spots
 from hophoop.tracking.rim import Rim, find_rim
+from hophoop.tracking.scatter import Floats
 from hophoop.tracking.search import Search, detect, learn_hoop
 from hophoop.tracking.video import Picture, picture_times, pictures, sample_pictures
-
-Floats = NDArray[np.float64]
 
 LONGEST = 120.0  # film without a window that is tracked [s]
 FORGET = 0.25  # without the hoop, after which its velocity is unknown [s]
@@ -29,12 +27,12 @@ class Seen(NamedTuple):
     """What the pictures of a film show."""
 
     t: Floats  # from the file [s]
-    rims: list[Rim | None]
-    spots: list[list[Spot]]  # of the marker's colour, the largest first
+    rims: Sequence[Rim | None]
+    spots: Sequence[list[Spot]]  # of the marker's colour, the largest first
     changes: Floats  # mean change of luma from the picture before [1]
     size: tuple[int, int]  # width and height [pixel]
     first: int  # number of the first picture in the film
-    chroma: complex | None  # of the marker
+    marker: Marker | None
 
 
 def look(video: str | Path, hints: Hints, progress: Callable[[int, int | None], None] | None) -> Seen:
@@ -64,8 +62,7 @@ def look(video: str | Path, hints: Hints, progress: Callable[[int, int | None], 
         if progress is not None:
             progress(len(rows), len(span))
     t, rims, found, changes = zip(*rows, strict=True)
-    chroma = None if marker is None else marker.chroma
-    return Seen(np.array(t), list(rims), list(found), np.array(changes), stills[0].size, stills[0].row, chroma)
+    return Seen(np.array(t), rims, found, np.array(changes), stills[0].size, stills[0].row, marker)
 
 
 def _follow(picture: Picture, search: Search, last: list[tuple[float, Rim]]) -> Rim | None:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.circle import Circle, Complexes
+from hophoop.tracking.circle import Circle
 from hophoop.tracking.rim import Rim, find_disc
+from hophoop.tracking.scatter import NOWHERE, Complexes, Floats
 from hophoop.tracking.video import Picture
-
-Floats = NDArray[np.float64]
 
 CHROMA = np.array([-37.797 + 112.0j, -74.203 - 93.786j, 112.0 - 18.214j]) / 255  # of red, green and blue, after BT.601
 LEAST_CHROMA = 16.0  # minimum, to distinguish a colour from gray
@@ -69,9 +68,8 @@ def learn_marker(seen: list[tuple[Picture, Rim]], color: str) -> Marker | None:
         chroma = colour_chroma(color)
         given = Marker(chroma * min(1.0, DULL / abs(chroma)), np.nan)
     found = [(k, spot) for k, (still, rim) in enumerate(seen) for spot in spots(still, rim.circle, given)]
-    best: dict[int, Spot] = {}
-    for _, seed in found:
-        best = max(best, {k: spot for k, spot in found if _alike(spot, seed)}, key=len)
+    groups = ({k: spot for k, spot in found if _alike(spot, seed)} for _, seed in found)
+    best = max(groups, key=len, default={})
     if given is not None and not best:
         raise InputError(
             f"marker_color = {color!r}: no patch of that colour was seen on the hoop.", field="marker_color", value=color
@@ -118,7 +116,7 @@ def _above_surroundings(chroma: Complexes, ratio: Floats) -> Floats:
     """Weights of samples by their chroma above the median."""
     above = np.abs(chroma - np.median(chroma.real) - 1j * np.median(chroma.imag))
     above[(ratio >= OUTSIDE) | (ratio <= INSIDE)] = 0.0
-    most = float(above.max())
+    most = above.max()
     return np.where(above > max(PALE, 0.45 * most), above / max(most, PALE), 0.0)
 
 
@@ -139,23 +137,19 @@ def _outlined(picture: Picture, spot: Spot) -> Spot:
     return spot if disc is None else spot._replace(place=disc.centre)
 
 
-def choose_spots(found: list[list[Spot]]) -> Complexes:
+def choose_spots(found: Sequence[list[Spot]]) -> Complexes:
     """Return the place of the marker in each frame: the patch of its usual size at its usual distance from the centre.
 
     found: spots of each frame, the largest first; places: shape (n,), nan where there is none [pixel].
     """
-    places = np.full(len(found), complex(np.nan, np.nan))
     largest = [(those[0].ratio, np.log(those[0].area)) for those in found if those]
     usual = np.median(largest or [(np.nan, np.nan)], axis=0)
 
     def unlike(spot: Spot) -> Floats:
         return np.asarray(np.abs([spot.ratio, np.log(spot.area)] - usual) / [NEAR, OTHER_AREA])
 
-    for k, those in enumerate(found):
-        fits = [spot for spot in those if unlike(spot).max() < 1.0]
-        if fits:
-            places[k] = min(fits, key=lambda spot: float(unlike(spot).sum())).place
-    return places
+    fits = ([spot for spot in those if unlike(spot).max() < 1.0] for those in found)
+    return np.array([min(those, key=lambda spot: unlike(spot).sum()).place if those else NOWHERE for those in fits])
 
 
 def count_revolutions(t: Floats, angle: Floats) -> tuple[Floats, float | None]:

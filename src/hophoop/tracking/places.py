@@ -5,18 +5,16 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import USUAL_FOCAL, Camera, fit_camera, flat, pairs
-from hophoop.tracking.circle import UNKNOWN, CircleFit, Complexes, fit_circle, robust_circle
-from hophoop.tracking.doubts import Flags, doubt_times, repeated, steps_of
+from hophoop.tracking.circle import UNKNOWN, CircleFit, fit_circle, robust_circle
+from hophoop.tracking.doubts import doubt_times, repeated, steps_of
 from hophoop.tracking.hints import Hints
 from hophoop.tracking.looking import Seen
 from hophoop.tracking.marker import choose_spots, count_revolutions
 from hophoop.tracking.rim import RAYS, WANTED, Rim
-
-Floats = NDArray[np.float64]
+from hophoop.tracking.scatter import NOWHERE, Complexes, Flags, Floats
 
 MOST_FOR_CAMERA = 14
 WHOLE = 0.6  # share of a rim in the picture that gives its radius
@@ -40,6 +38,12 @@ class Places(NamedTuple):
     doubtful: float | None  # time after which whole revolutions may be missing [s]
     notes: list[str]  # on the times
 
+    @property
+    def usual_reach(self) -> float:
+        """Median distance of the marker from the centre."""
+        known = self.reach[np.isfinite(self.reach)]
+        return float(np.median(known)) if len(known) else np.nan
+
 
 def find_places(seen: Seen, hints: Hints, source: str) -> Places:
     """Find camera, radius and marker in what the pictures show; source: name of the film."""
@@ -52,10 +56,9 @@ def find_places(seen: Seen, hints: Hints, source: str) -> Places:
     ]
     camera = _camera(seen.size, edges, hints.exposure * np.abs(velocity), hints)
     centre, covariance, radius, agreement = _circles(camera, rims, edges, len(seen.t))
-    pixel = np.where(np.isfinite(centre), choose_spots(seen.spots), complex(np.nan, np.nan))
+    pixel = np.where(np.isfinite(centre), choose_spots(seen.spots), NOWHERE)
     mark = flat(camera, pixel)
-    _, roughly, _ = _arrows(seen.t, centre, mark, np.zeros(len(seen.t)))
-    again, t, notes = _times(seen, steps_of(centre, roughly, radius), hints.rate)
+    again, t, notes = _times(seen, steps_of(centre, mark, radius), hints.rate)
     for values in (centre, covariance, agreement, pixel, mark):
         values[again] = np.nan
     there = np.isfinite(agreement)
@@ -72,7 +75,7 @@ def _times(seen: Seen, steps: Floats, rate: float | None) -> tuple[Flags, Floats
     if rate is None or not again.any():
         return again, seen.t, doubt_times(seen.t, steps, again)
     counted = np.arange(len(again)) - np.cumsum(again) + 0.5 * again  # between the neighbours, for an increasing order
-    return again, seen.t[0] + counted / rate, [f"{int(again.sum())} repeated pictures are left out."]
+    return again, seen.t[0] + counted / rate, [f"{again.sum()} repeated pictures are left out."]
 
 
 def _require_frames(count: int, source: str) -> None:
@@ -97,11 +100,7 @@ def _circles(
     whole = [points for points in planar if len(points) > WHOLE * RAYS] or planar
     sizes = [fit.circle.radius for points in whole if (fit := _fit(points, UNKNOWN)) is not None]
     size = float(np.median(sizes or [rim.circle.radius for rim in rims.values()]))
-    centre, covariance, agreement = (
-        np.full(count, complex(np.nan, np.nan)),
-        np.full((count, 2, 2), np.nan),
-        np.full(count, np.nan),
-    )
+    centre, covariance, agreement = np.full(count, NOWHERE), np.full((count, 2, 2), np.nan), np.full(count, np.nan)
     for (k, rim), points in zip(rims.items(), planar, strict=True):
         fit = _fit(points, (size, TIGHT * size))
         if fit is not None and fit.inside.sum() >= WANTED * rim.looked and abs(fit.circle.radius - size) <= UNLIKE * size:

@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from hophoop._support.extras import need
-from hophoop.tracking.circle import UNKNOWN, Circle, CircleFit, Complexes, robust_circle
+from hophoop.tracking.circle import UNKNOWN, Circle, CircleFit, robust_circle
+from hophoop.tracking.scatter import Complexes
 from hophoop.tracking.video import Bytes
 
 RAYS = 180
@@ -56,7 +57,7 @@ def edges(luma: Bytes, circle: Circle, sign: int, reach: float, over: float = 1.
     rise = np.nan_to_num(sign * rise if sign else np.abs(rise)).clip(0.0)
     best = np.argmax(rise * (1.0 - 0.4 * (offsets / (reach + 1.0)) ** 2), axis=1)[:, None]
     strength = np.take_along_axis(rise, best, axis=1)
-    least = 0.25 * float(np.median(strength[there])) if there.any() else 0.0
+    least = 0.25 * np.median(strength[there]) if there.any() else 0.0
     good = there & (strength[:, 0] >= max(WEAKEST, least))
     # only the peak around the steepest point, not a neighbouring one
     weight = np.where((np.abs(offsets - offsets[best]) <= WIDE) & (rise > 0.2 * strength), rise, 0.0)

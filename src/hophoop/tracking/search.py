@@ -5,16 +5,14 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop._support.extras import need
 from hophoop.scenario import InputError
-from hophoop.tracking.circle import UNKNOWN, Circle, Complexes, ransac_circles
+from hophoop.tracking.circle import UNKNOWN, Circle, ransac_circles
 from hophoop.tracking.hints import Hints
 from hophoop.tracking.rim import SMALLEST, Rim, confirm
+from hophoop.tracking.scatter import Complexes, Flags, Floats
 from hophoop.tracking.video import Bytes, Picture
-
-Floats = NDArray[np.float64]
 
 WIDTH = 640  # of the downsampled picture for the search [pixel]
 MOVED = 14.0  # change of luma that counts as motion
@@ -122,14 +120,14 @@ def detect(luma: Bytes, search: Search) -> Rim | None:
     return best
 
 
-def _masks(small: Floats, background: Floats | None) -> list[NDArray[np.bool_]]:
+def _masks(small: Floats, background: Floats | None) -> list[Flags]:
     if background is not None:
         return [np.abs(small - background) > MOVED]
     around = need("scipy.ndimage", "track").gaussian_filter(small, 0.05 * small.shape[1])
     return [small < around - CONTRAST, small > around + CONTRAST]
 
 
-def _outlines(mask: NDArray[np.bool_], least: float) -> list[Complexes]:
+def _outlines(mask: Flags, least: float) -> list[Complexes]:
     """Return outlines of the largest components, and of all of them together; least: radius of a hoop [pixel]."""
     ndimage = need("scipy.ndimage", "track")
     labels, _ = ndimage.label(mask, structure=np.ones((3, 3)))

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from hophoop._support.extras import need
 from hophoop._support.files import replacing
 from hophoop.scenario import InputError
+from hophoop.tracking.scatter import Floats
 
 Bytes = NDArray[np.uint8]
-Floats = NDArray[np.float64]
 
 # The first chroma sample is at the first luma sample in H.264 and its successors, half a luma pixel to the right of it in
 # JPEG.
@@ -59,15 +59,14 @@ def pictures(
     stamps, times = _timetable(file, rate)
     with _opened(file) as (box, stream):
         stream.thread_type = "AUTO"
-        aspect = float(stream.sample_aspect_ratio or 1.0)
         for frame in box.decode(stream):
             t = float(np.interp(row if frame.pts is None else frame.pts, stamps, times))
             if not t > last:
                 continue  # a repeated frame
             if until is not None and t > until:
                 break
-            if since is None or t >= since:
-                picture = _picture(frame, row, t, aspect, stream.codec_context.name in CENTRED_CHROMA, file)
+            if t >= (since or 0.0):
+                picture = _picture(frame, stream, row, t, file)
                 size = size or picture.size
                 if picture.size != size:
                     raise InputError(f"{file} has pictures of different sizes.")
@@ -83,7 +82,7 @@ def picture_times(
     rate, since, until: as in `pictures`; times: shape (n,) [s].
     """
     _, t = _timetable(Path(path), rate)
-    return t[(t >= (-np.inf if since is None else since)) & (t <= (np.inf if until is None else until))]
+    return t[(t >= (since or 0.0)) & (t <= (np.inf if until is None else until))]
 
 
 def _timetable(file: Path, rate: float | None) -> tuple[Floats, Floats]:
@@ -148,15 +147,16 @@ def _opened(file: Path) -> Iterator[tuple[Any, Any]]:
         raise InputError(f"{file} cannot be read as a video: {reason}.") from None
 
 
-def _picture(frame: Any, row: int, t: float, aspect: float, centred: bool, file: Path) -> Picture:
+def _picture(frame: Any, stream: Any, row: int, t: float, file: Path) -> Picture:
     """Return a frame with square pixels, turned and mirrored by the display matrix of its file."""
-    wide, tall = round(frame.width * aspect / 2) * 2 if aspect != 1.0 else frame.width, frame.height
+    aspect, tall = stream.sample_aspect_ratio or 1, frame.height
+    wide = round(frame.width * aspect / 2) * 2 if aspect != 1 else frame.width
     if min(wide, tall) < SMALLEST or max(wide, tall) > LARGEST:
         raise InputError(f"{file} has pictures of {wide} × {tall} pixels; each side must be from {SMALLEST} to {LARGEST}.")
     if frame.format.name not in ("yuv420p", "yuvj420p") or wide != frame.width:
         frame = frame.reformat(width=wide, height=tall, format="yuv420p")
     planes = [_plane(plane) for plane in frame.planes[:3]]
-    chroma = (0.5 if centred else 0.0, 0.5)
+    chroma = (0.5 if stream.codec_context.name in CENTRED_CHROMA else 0.0, 0.5)
     matrix = next((bytes(data) for data in frame.side_data if data.type.name == "DISPLAYMATRIX"), None)
     if matrix is not None:
         a, b, _, c, d = np.frombuffer(matrix, dtype=np.int32)[:5].tolist()
