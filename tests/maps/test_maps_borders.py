@@ -26,7 +26,7 @@ def test_the_border_of_rolling_is_where_theory_has_it():
 
 def sides(classify, border):
     """Classes to the right and left of the inner points of a border, close to them."""
-    places = np.transpose(border.window.places(border.x, border.y))
+    places = border.window.places(np.transpose([border.x, border.y]))
     for before, place, after in zip(places, places[1:], places[2:], strict=False):
         way = after - before
         left = np.array([-way[1], way[0]]) / np.hypot(*way) * 1e-7
@@ -37,7 +37,7 @@ def test_a_border_parts_its_classes_and_ends_where_a_third_begins():
     border = maps.boundary(None, WINDOW, one=(1.0, 2.7), other=(1.0, 3.1), step=0.04)
     classify = Classifier(hh.Scenario(), border.window, ["sequence"], "first_revolution")
     assert set(list(sides(classify, border))[2:-2]) == {border.classes}
-    places = np.transpose(border.window.places(border.x, border.y))
+    places = border.window.places(np.transpose([border.x, border.y]))
     junction = places[-1 if border.ends[1] == "junction" else 0]
     phi = np.linspace(0, 2 * math.pi, 97)
     assert "junction" in border.ends

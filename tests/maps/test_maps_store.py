@@ -17,7 +17,7 @@ import zarr
 import hophoop as hh
 from damage import REFUSED, SAME, contents, tally
 from hophoop import maps
-from hophoop.maps.grid import chunks, store
+from hophoop.maps.grid import chunks, quantities, store
 
 AXES = {"plane.mu": np.linspace(0.05, 1.95, 24), "start.speed": np.linspace(0.05, 5.0, 20)}
 QUANTITIES = ["sequence", "hop_height", "status"]
@@ -106,8 +106,8 @@ def test_every_variable_and_coordinate_says_what_it_is(whole):
 
 @pytest.mark.parametrize(("room", "kind"), [(0, np.int16), (-1, np.int32)])
 def test_more_sequences_than_short_codes_get_long_ones(whole, tmp_path, monkeypatch, room, kind):
-    assert np.iinfo(np.int16).max == store.MOST_SHORT_CODES
-    monkeypatch.setattr(store, "MOST_SHORT_CODES", len(maps.words_of(maps.open_map(whole)["sequence"])) + room)
+    assert np.iinfo(np.int16).max == quantities.MOST_SHORT_CODES
+    monkeypatch.setattr(quantities, "MOST_SHORT_CODES", len(maps.words_of(maps.open_map(whole)["sequence"])) + room)
     made = make(tmp_path / "map.zarr")
     assert made["sequence"].dtype == kind
     xr.testing.assert_equal(made, maps.open_map(whole))
@@ -154,7 +154,7 @@ def test_a_killed_process_leaves_a_map_that_goes_on_to_the_same_bytes(whole, tmp
     assert contents(path) == contents(whole)
 
 
-@pytest.mark.parametrize("step", ["table_of", "code_type", "encode", "_checksum_of", "rmtree"])
+@pytest.mark.parametrize("step", ["codes_of", "encode", "_checksum_of", "rmtree"])
 def test_a_stop_while_finishing_changes_nothing(whole, tmp_path, monkeypatch, step):
     path = tmp_path / "map.zarr"
 

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.kernel.numerics.elementwise import exponential, logarithm
-from hophoop.maps.grid.axes import make_axes
+from hophoop.maps.grid.axes import has_words, make_axes
 from hophoop.maps.grid.evaluate import points
-from hophoop.maps.grid.quantities import choose_quantities, make_span
+from hophoop.maps.grid.quantities import NOT_ALLOWED, choose_quantities, make_span
 from hophoop.scenario import InputError, Scenario
 
 Floats = NDArray[np.float64]
@@ -41,21 +41,21 @@ class Window(NamedTuple):
     y_range: tuple[float, float]
     logarithmic: tuple[bool, bool] = (False, False)
 
-    def values(self, u: Any, v: Any) -> tuple[Floats, Floats]:
-        """Return the parameters' values at positions of the window."""
-        x, y = (
-            low * exponential(place * logarithm(high / low)) if by_ratio else low + (high - low) * place
-            for place, (low, high), by_ratio in zip((u, v), (self.x_range, self.y_range), self.logarithmic, strict=True)
-        )
-        return x, y
+    def values(self, places: Floats) -> Floats:
+        """Return the parameters' values at positions of the window, both along the last axis."""
+        low, high = np.transpose([self.x_range, self.y_range])
+        values: Floats = low + (high - low) * places
+        for k in np.flatnonzero(self.logarithmic):
+            values[..., k] = low[k] * exponential(places[..., k] * logarithm(high[k] / low[k]))
+        return values
 
-    def places(self, x: Any, y: Any) -> tuple[Floats, Floats]:
+    def places(self, values: Floats) -> Floats:
         """Return the positions of values in the window."""
-        u, v = (
-            logarithm(value / low) / logarithm(high / low) if by_ratio else (value - low) / (high - low)
-            for value, (low, high), by_ratio in zip((x, y), (self.x_range, self.y_range), self.logarithmic, strict=True)
-        )
-        return u, v
+        low, high = np.transpose([self.x_range, self.y_range])
+        places: Floats = (values - low) / (high - low)
+        for k in np.flatnonzero(self.logarithmic):
+            places[..., k] = logarithm(values[..., k] / low[k]) / logarithm(high[k] / low[k])
+        return places
 
 
 def make_window(
@@ -74,11 +74,11 @@ def make_window(
             raise InputError.of_field("logarithmic", path, f"one of {', '.join(ranges)}")
         if not ranges[path][0] > 0.0:
             raise InputError(f"range of {path} = {ranges[path]!r} must be greater than 0 in a logarithmic window.")
-    x, y = make_axes(base, ranges)
-    if "" in (x.unit, y.unit):
+    if any(map(has_words, make_axes(base, ranges).values())):
         raise InputError("ranges must be of numbers, not of words.")
     x_range, y_range = ((float(low), float(high)) for low, high in ranges.values())
-    return Window(x.path, y.path, x_range, y_range, (x.path in logarithmic, y.path in logarithmic))
+    x, y = ranges
+    return Window(x, y, x_range, y_range, (x in logarithmic, y in logarithmic))
 
 
 class Border(NamedTuple):
@@ -111,25 +111,22 @@ class Classifier:
     """
 
     def __init__(self, base: Scenario, window: Window, quantities: Sequence[str], span: str) -> None:
-        self.base = base
-        self.window = window
-        self.quantities = choose_quantities(quantities)
-        for quantity in self.quantities:
+        for quantity in choose_quantities(quantities):
             if not quantity.is_code:
                 raise InputError.of_field("quantity", quantity.name, "one with classes, such as sequence")
-        self.span = make_span(span)
+        self.base, self.window, self.quantities, self.span = base, window, quantities, make_span(span)
         self.names: list[str] = []
 
     def __call__(self, places: Floats) -> Integers:
         """Return the codes at positions, each from 0 to 1, along the last axis."""
-        return self.at(np.stack(self.window.values(places[..., 0], places[..., 1]), axis=-1))
+        return self.at(self.window.values(places))
 
     def at(self, values: Floats) -> Integers:
         """Return the codes at values of the two parameters along the last axis."""
         x, y = values.reshape(-1, 2).T
-        found = points(self.base, {self.window.x: x, self.window.y: y}, [one.name for one in self.quantities], self.span.name)
+        found = points(self.base, {self.window.x: x, self.window.y: y}, self.quantities, self.span.name)
         rows = zip(*(column.tolist() for column in found.values()), strict=True)
-        labels = [" ".join(word or "not_allowed" for word in row) for row in rows]
+        labels = [" ".join(word or NOT_ALLOWED for word in row) for row in rows]
         self.names += [label for label in dict.fromkeys(labels) if label not in self.names]
         codes = {label: code for code, label in enumerate(self.names)}
         return np.array([codes[label] for label in labels]).reshape(values.shape[:-1])

@@ -74,8 +74,8 @@ def curves(classify: Classifier, grid: Floats, codes: Integers) -> list[Border]:
     lengths = [len(line) for _, line in lines]
     inner = np.repeat([code for code, _ in lines], lengths)
     one, other = np.floor(edges).astype(int), np.ceil(edges).astype(int)
-    starts_at_one = (codes[tuple(one.T)] == inner)[:, None]
-    near, far = (tuple(np.where(starts_at_one, *pair).T) for pair in ((one, other), (other, one)))
+    inside = np.where((codes[tuple(one.T)] == inner)[:, None], one, other)
+    near, far = tuple(inside.T), tuple((one + other - inside).T)
     sliver = SLIVER * np.ptp([classify.window.x_range, classify.window.y_range], axis=1)
 
     def middle(near: Floats, far: Floats) -> Floats:

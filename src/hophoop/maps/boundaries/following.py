@@ -83,7 +83,7 @@ def boundary(
     base = Scenario() if base is None else base
     window = make_window(base, ranges, logarithmic)
     classify = Classifier(base, window, [quantity] if isinstance(quantity, str) else list(quantity), span)
-    begin, end = (np.array(window.places(*map(np.float64, point))) for point in (one, other))
+    begin, end = window.places(np.array([one, other], float))
     for point, place in ((one, begin), (other, end)):
         if not ((place >= 0.0) & (place <= 1.0)).all():
             raise InputError(f"point {point!r} must lie in the window.")
@@ -103,7 +103,7 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
     if last_end != "closed":
         back, first_end = _walk(classify, start, -ahead, (code, beyond), step, most)
         points = [*back[::-1], *points[1:]]
-    x, y = classify.window.values(*np.transpose(points))
+    x, y = classify.window.values(np.array(points)).T
     return Border(classify.window, x, y, (classify.names[beyond], classify.names[code]), (first_end, last_end))
 
 

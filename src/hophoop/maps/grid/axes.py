@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from decimal import Context, Decimal, localcontext
 from numbers import Real
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,32 +19,13 @@ from hophoop.scenario.models import Rigid
 from hophoop.scenario.paths import contradiction
 from hophoop.vocabulary.parameters import PARAMETERS, RANGES
 
+Axes = dict[str, NDArray[Any]]  # values by path: numbers in the parameter's unit [SI], or words
+
 MOST_VALUES = 100_000_000  # on one axis, since its values are in memory
 LN_10 = float.fromhex("0x1.26bb1bbb55516p+1")
 LOWEST_DECADE = -323  # of doubles
 TENS = np.array([float(f"1e{decade}") for decade in range(LOWEST_DECADE, 309)])
 TWO_AXES = "{one} and {other} cannot both be axes: they say the same thing in two ways."
-
-
-class Axis(NamedTuple):
-    """One axis of a map.
-
-    Attributes
-    ----------
-    path : str
-        The parameter, such as ``"plane.mu"``.
-    values : ndarray
-        Its values, in the parameter's unit [SI], or words.
-    unit : str
-        Its unit.
-    description : str
-        Its meaning.
-    """
-
-    path: str
-    values: NDArray[Any]
-    unit: str
-    description: str
 
 
 def linear(first: float, last: float, count: int) -> NDArray[np.float64]:
@@ -97,7 +78,7 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
     Raises
     ------
     ValueError
-        If count is not from 1 to 100,000,000, or an end is not above 0.
+        If count is not from 1 to 100,000,000, or an end is not above 0 and finite.
 
     Examples
     --------
@@ -106,10 +87,8 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
     """
     for end in (first, last):
         check_type("end of an axis", end, Real)
-        if not end > 0.0:
-            raise InputError.of_field("end of a logarithmic axis", end, "greater than 0")
-        if end == math.inf:
-            raise InputError.of_field("end of a logarithmic axis", end, "finite")
+        if not 0.0 < end < math.inf:
+            raise InputError.of_field("end of a logarithmic axis", end, "greater than 0 and finite")
     # the same bits on every machine, and powers of ten exact
     with localcontext(Context(prec=30)):
         low, high = (float(Decimal(float(end)).log10()) for end in (first, last))
@@ -145,43 +124,47 @@ def parse_axis(text: str) -> tuple[str, NDArray[Any]]:
     ['newton', 'stronge']
     """
     path, _, rest = text.partition("=")
-    path, parts = path.strip(), rest.split(":")
-    usage = f"axis {text!r} must read path=first:last:count, path=first:last:count:log or path=a,b,c."
-    if not path or not rest or len(parts) not in (1, 3, 4) or parts[3:] not in ([], ["log"]):
-        raise InputError(usage)
-    if len(parts) == 1:
-        words = [word.strip() for word in rest.split(",")]
+    path, usage = path.strip(), "path=first:last:count, path=first:last:count:log or path=a,b,c"
+    wrong = InputError(f"axis {text!r} must read {usage}.")
+    if not path or not rest:
+        raise wrong
+    if ":" not in rest:
+        words = np.array([word.strip() for word in rest.split(",")])
         try:
-            return path, np.array([float(word) for word in words])
+            return path, words.astype(float)
         except ValueError:
-            return path, np.array(words)
+            return path, words
     try:
-        first, last, count = float(parts[0]), float(parts[1]), int(parts[2])
+        first, last, count = rest.removesuffix(":log").split(":")
+        spaced = float(first), float(last), int(count)
     except ValueError:
-        raise InputError(usage) from None
-    spacing = logarithmic if parts[3:] else linear
-    return path, spacing(first, last, count)
+        raise wrong from None
+    return path, (logarithmic if rest.endswith(":log") else linear)(*spaced)
 
 
-def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]:
+def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> Axes:
     """Check the axes of a map, values by path in SI units, against the scenario that they vary."""
     if not axes:
         raise InputError(f"axes = {list(axes)!r} must name at least one parameter.", field="axes", value=list(axes))
-    arrays = checked_values(base, axes)
-    made = [Axis(path, array, parameter(path).unit, parameter(path).description) for path, array in arrays.items()]
-    for path, array in arrays.items():
-        if array.ndim != 1 or array.size == 0:
-            raise InputError(f"axis {path} must be a list of values, not of shape {array.shape}.")
-        if np.unique(array).size != array.size:
+    made = checked_values(base, axes)
+    for path, values in made.items():
+        if values.ndim != 1 or values.size == 0:
+            raise InputError(f"axis {path} must be a list of values, not of shape {values.shape}.")
+        if np.unique(values).size != values.size:
             raise InputError(f"axis {path} must not hold a value twice.")
     # what is allowed between the least and the largest number follows
-    tried = {axis.path: axis.values if axis.unit == "" else [axis.values.min(), axis.values.max()] for axis in made}
+    tried = {path: values if has_words(values) else [values.min(), values.max()] for path, values in made.items()}
     for path in tried:
         _check_values(base, path, tried)
-    return tuple(made)
+    return made
 
 
-def checked_values(base: Scenario, values: Mapping[str, ArrayLike]) -> dict[str, NDArray[Any]]:
+def has_words(values: NDArray[Any]) -> bool:
+    """Return True if the values of an axis are words."""
+    return values.dtype.kind == "U"
+
+
+def checked_values(base: Scenario, values: Mapping[str, ArrayLike]) -> Axes:
     """Return the values of parameters by path as numbers or words, each in the range of its parameter [SI]."""
     check_type("base", base, Scenario)
     if not isinstance(base.contact, Rigid):
@@ -190,7 +173,7 @@ def checked_values(base: Scenario, values: Mapping[str, ArrayLike]) -> dict[str,
     if pair := contradiction(values):
         raise InputError(TWO_AXES.format(one=pair[0], other=pair[1]))
     for path, array in arrays.items():
-        _check_range(base, path, np.unique(array))
+        _check_range(base, path, array)
     return arrays
 
 

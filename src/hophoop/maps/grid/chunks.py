@@ -15,14 +15,13 @@ import numpy as np
 from hophoop._support.extras import need
 from hophoop.kernel.native.sources import stamp
 from hophoop.maps.grid.cells import make_cells
-from hophoop.maps.grid.evaluate import Plan, cores, run_cells, values_of
-from hophoop.maps.grid.quantities import SEQUENCE, flags_of
+from hophoop.maps.grid.evaluate import Plan, Region, cores, run_cells, values_of
+from hophoop.maps.grid.quantities import flags_of
 from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
     from distributed import Client
 
-Index = tuple[int, ...]
 Report = Callable[[int], None]
 
 WAVE = 1024  # chunks that a cluster knows at a time, so that its memory does not grow with the map
@@ -31,10 +30,12 @@ RETRIES = 2  # of a chunk after an error of its own; Dask handles the death of a
 PATIENCE = 10  # timeout of an answer [s]
 
 
-def compute_chunk(plan: Plan, targets: Mapping[str, Any], index: Index, pool: Executor | None = None, sources: str = "") -> int:
+def compute_chunk(
+    plan: Plan, targets: Mapping[str, Any], region: Region, pool: Executor | None = None, sources: str = ""
+) -> int:
     """Compute a chunk and write it; return its number of cells.
 
-    targets: of each quantity, an array; sequences are written packed into integers; index: the place among the chunks;
+    targets: of each quantity, an array; sequences are written packed into integers; region: the cells of the chunk;
     sources: stamp of the kernels to be used.
     """
     if sources and stamp() != sources:
@@ -42,23 +43,23 @@ def compute_chunk(plan: Plan, targets: Mapping[str, Any], index: Index, pool: Ex
             f"A worker on {platform.node()} has kernels of other sources ({stamp()[:8]}, here {sources[:8]}): "
             "install the same version of hophoop there."
         )
-    region = plan.region(index)
-    grid = np.meshgrid(*(axis.values[part] for axis, part in zip(plan.axes, region, strict=True)), indexing="ij")
-    values = {axis.path: each.reshape(-1) for axis, each in zip(plan.axes, grid, strict=True)}
+    sides = [values[part] for values, part in zip(plan.axes.values(), region, strict=True)]
+    grid = np.meshgrid(*sides, indexing="ij")
+    values = dict(zip(plan.axes, map(np.ravel, grid), strict=True))
     results = run_cells(make_cells(plan.base, values, grid[0].size), plan.span, flags_of(plan.quantities), pool)
     for quantity in plan.quantities:
-        found = results.sequences if quantity.name == SEQUENCE else values_of(results, quantity)
+        found = values_of(results, quantity)
         targets[quantity.name][region] = found.reshape(*grid[0].shape, *found.shape[1:])
-    return int(grid[0].size)
+    return grid[0].size
 
 
 def compute_on_threads(
-    plan: Plan, targets: Mapping[str, Any], todo: Iterable[Index], threads: int | None, report: Report
+    plan: Plan, targets: Mapping[str, Any], todo: Iterable[Region], threads: int | None, report: Report
 ) -> None:
     """Compute chunks on threads of this process; `report` is called with the number of cells of each one."""
     with ThreadPoolExecutor(AT_ONCE) as chunks, ThreadPoolExecutor(threads or cores()) as pool:
         try:
-            for cells in chunks.map(lambda index: compute_chunk(plan, targets, index, pool), todo):
+            for cells in chunks.map(lambda region: compute_chunk(plan, targets, region, pool), todo):
                 report(cells)
         except BaseException:  # Ctrl-C included: only the cells that are being computed end
             for executor in (chunks, pool):
@@ -67,7 +68,7 @@ def compute_on_threads(
 
 
 def compute_on_cluster(
-    plan: Plan, targets: Mapping[str, Any], todo: Iterable[Index], scheduler: str | Client, report: Report
+    plan: Plan, targets: Mapping[str, Any], todo: Iterable[Region], scheduler: str | Client, report: Report
 ) -> None:
     """Compute chunks on the workers of a cluster, which must see the store of the targets under the same name."""
     as_completed = need("distributed", "cluster").as_completed

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import nullcontext
 from typing import Any, NamedTuple
@@ -15,30 +16,26 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop._support.errors import check_type
 from hophoop._version import __version__
 from hophoop.kernel.native import compiled
-from hophoop.kernel.records import MapRequest, MapResults, unpacked_sequence
+from hophoop.kernel.records import MapRequest, MapResults
 from hophoop.kernel.steps import RESOLVED
 from hophoop.maps.grid import kernel
-from hophoop.maps.grid.axes import Axis, checked_values, chunk_shape, make_axes
+from hophoop.maps.grid.axes import Axes, checked_values, chunk_shape, make_axes
 from hophoop.maps.grid.cells import make_cells
-from hophoop.maps.grid.quantities import (
-    Quantity,
-    Span,
-    check_span,
-    choose_quantities,
-    distinct_rows,
-    flags_of,
-    make_span,
-)
-from hophoop.maps.grid.settled import SPANS as SETTLED_SPANS
+from hophoop.maps.grid.quantities import Quantity, Span, choose, distinct_sequences, flags_of
 from hophoop.maps.grid.settled import evaluate_settled
 from hophoop.scenario import InputError, Scenario
+from hophoop.vocabulary.names import SEQUENCE
+
+Region = tuple[slice, ...]
 
 CHUNK_CELLS = 65536
 CALL_CELLS = 512  # per call of the kernel: a call takes as long as 2 cells, and a thread stops after one
 
 
 def values_of(results: MapResults, quantity: Quantity) -> NDArray[Any]:
-    """Values of one quantity, except the sequence, which stays packed in `results.sequences`."""
+    """Values of one quantity; sequences are packed, shape (n, INTEGERS)."""
+    if quantity.name == SEQUENCE:
+        return np.asarray(results.sequences)
     source = results.words if quantity.is_code else results.numbers
     values: NDArray[Any] = source[:, quantity.column].astype(quantity.dtype)
     return values
@@ -48,7 +45,7 @@ class Plan(NamedTuple):
     """Specification of a map: everything its content depends on."""
 
     base: Scenario
-    axes: tuple[Axis, ...]
+    axes: Axes
     quantities: tuple[Quantity, ...]
     span: Span
     chunk: tuple[int, ...]
@@ -56,16 +53,12 @@ class Plan(NamedTuple):
     @property
     def shape(self) -> tuple[int, ...]:
         """Cells along each axis."""
-        return tuple(axis.values.size for axis in self.axes)
+        return tuple(values.size for values in self.axes.values())
 
-    @property
-    def chunks(self) -> tuple[int, ...]:
-        """Number of chunks along each axis."""
-        return tuple(-(-n // c) for n, c in zip(self.shape, self.chunk, strict=True))
-
-    def region(self, index: Sequence[int]) -> tuple[slice, ...]:
-        """Return the cells of a chunk by its place among the chunks."""
-        return tuple(slice(i * c, min((i + 1) * c, n)) for i, c, n in zip(index, self.chunk, self.shape, strict=True))
+    def regions(self) -> Iterator[Region]:
+        """Iterate over the cells of each chunk."""
+        sides = zip(self.shape, self.chunk, strict=True)
+        return itertools.product(*([slice(i, min(i + step, n)) for i in range(0, n, step)] for n, step in sides))
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plan for JSON, with the version; equal plans have equal texts."""
@@ -73,7 +66,7 @@ class Plan(NamedTuple):
             "hophoop": __version__,
             "tolerance": RESOLVED,
             "scenario": self.base.to_dict(),
-            "axes": {axis.path: _json(axis.values) for axis in self.axes},
+            "axes": {path: _json(values) for path, values in self.axes.items()},
             "quantities": [quantity.name for quantity in self.quantities],
             "span": self.span.name,
         }
@@ -97,11 +90,8 @@ def make_plan(
         raise InputError.of_field("chunk_cells", chunk_cells, "at least 1")
     check_type("axes", axes, Mapping)
     made = make_axes(base, axes)
-    shape = tuple(axis.values.size for axis in made)
-    chunk = chunk_shape(shape, chunk_cells)
-    chosen, part = choose_quantities(quantities), make_span(span, in_the_end=True)
-    check_span(base, chosen, part)
-    return Plan(base, made, chosen, part, chunk)
+    chunk = chunk_shape([values.size for values in made.values()], chunk_cells)
+    return Plan(base, made, *choose(base, quantities, span), chunk)
 
 
 def run_cells(cells: NDArray[np.float64], span: Span, flags: int, pool: Executor | None = None) -> MapResults:
@@ -115,10 +105,9 @@ def run_cells(cells: NDArray[np.float64], span: Span, flags: int, pool: Executor
         np.empty((count, len(kernel.WORDS)), np.int32),
         np.empty((count, kernel.INTEGERS), np.uint64),
     )
-    settled = span.name in SETTLED_SPANS
-    evaluate: Any = evaluate_settled if settled else compiled(kernel.evaluate_block)
-    request = span.name if settled else MapRequest(span.angle, span.stop, span.timed, flags)
-    step = kernel.BLOCK if settled else CALL_CELLS
+    evaluate: Any = evaluate_settled if span.settled else compiled(kernel.evaluate_block)
+    request = span.name if span.settled else MapRequest(span.angle, span.stop, span.timed, flags)
+    step = kernel.BLOCK if span.settled else CALL_CELLS
 
     def run(low: int) -> None:
         evaluate(cells, low, min(low + step, count), request, results)
@@ -172,24 +161,19 @@ def points(
     """
     base = Scenario() if base is None else base
     check_type("values", values, Mapping)
-    chosen = choose_quantities(quantities)
     arrays = checked_values(base, values)
     spread = np.broadcast_arrays(*arrays.values())
     shape = spread[0].shape if spread else (1,)
     cells = make_cells(base, {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}, math.prod(shape))
-    part = make_span(span, in_the_end=True)
-    check_span(base, chosen, part)
+    chosen, part = choose(base, quantities, span)
     few = cells.shape[1] <= CALL_CELLS  # not worth the threads
     with nullcontext() if few else ThreadPoolExecutor(cores()) as pool:
-        raw = run_cells(cells, part, flags_of(chosen), pool)
+        found = run_cells(cells, part, flags_of(chosen), pool)
     results = {}
     for quantity in chosen:
-        if quantity.name == "sequence":
-            rows, place = distinct_rows(raw.sequences)
-            column = np.array([unpacked_sequence(row) for row in rows], dtype=str)[place]
-        else:
-            column = values_of(raw, quantity)
-            if quantity.words:
-                column = np.array([*quantity.words, ""])[column]
-        results[quantity.name] = column.reshape(shape)
+        words: Sequence[str] = quantity.words
+        column = values_of(found, quantity)
+        if quantity.name == SEQUENCE:
+            words, column = distinct_sequences(column)
+        results[quantity.name] = (np.array([*words, ""])[column] if quantity.is_code else column).reshape(shape)
     return results

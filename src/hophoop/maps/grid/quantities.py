@@ -13,10 +13,10 @@ from hophoop.kernel.model import EVENT_NAMES, STATUS_NAMES
 from hophoop.kernel.records import STOP_AT_TAKEOFF, STOP_AT_TURN, unpacked_sequence
 from hophoop.maps.grid import kernel, settled
 from hophoop.scenario import InputError, Scenario
-from hophoop.vocabulary.names import number_after
+from hophoop.vocabulary.names import SEQUENCE, number_after
 
 NOT_ALLOWED = "not_allowed"
-SEQUENCE = "sequence"
+MOST_SHORT_CODES = 2**15 - 1
 
 
 class Quantity(NamedTuple):
@@ -29,7 +29,7 @@ class Quantity(NamedTuple):
     unit : str
         Of a number; "" for a code.
     words : tuple of str
-        Meanings of the codes 0, 1, …; empty for a number, and for the sequence, whose table belongs to the map.
+        Meanings of the codes 0, 1, …; empty for a number, and for the sequence until a map has found its own.
     column : int
         Column of the kernel's results.
     settled : bool
@@ -52,13 +52,18 @@ class Quantity(NamedTuple):
     def dtype(self) -> str:
         """Type of its array."""
         if self.name == SEQUENCE:
-            return "int16"
+            return "int16" if len(self.words) <= MOST_SHORT_CODES else "int32"
         return "int8" if self.is_code else "float64"
 
     @property
     def fill(self) -> Any:
         """Its value in a cell without one."""
         return kernel.NOT_ALLOWED if self.is_code else math.nan
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """Attributes of its array."""
+        return attributes(self.meaning, self.unit, (NOT_ALLOWED, *self.words), kernel.NOT_ALLOWED)
 
 
 _CODES: tuple[tuple[str, str, Sequence[str]], ...] = (
@@ -123,16 +128,6 @@ def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
     return tuple(every[name] for name in names)
 
 
-def check_span(base: Scenario, quantities: Sequence[Quantity], span: Span) -> None:
-    """Refuse quantities of another span, and a scenario for which the span has no end."""
-    for quantity in quantities:
-        if quantity.settled != (span.name in settled.SPANS):
-            fitting = "settled or settled:landing" if quantity.settled else ", ".join(SPANS)
-            raise InputError.of_field("span", span.name, f"{fitting} with quantity {quantity.name}")
-    if span.name in settled.SPANS and base.plane.gravity == 0.0:
-        raise InputError.of_field("plane.gravity", 0.0, "above 0 with span 'settled': without it no motion comes back")
-
-
 def flags_of(quantities: Sequence[Quantity]) -> int:
     """Return the flags of quantities that the kernel computes on request only."""
     names = {quantity.name for quantity in quantities}
@@ -160,6 +155,11 @@ class Span(NamedTuple):
     angle: float
     stop: int
     timed: bool
+
+    @property
+    def settled(self) -> bool:
+        """Whether it ends when the motion's fate is decided."""
+        return self.name in settled.SPANS
 
 
 _FIXED = {
@@ -194,39 +194,51 @@ def make_span(name: str, *, in_the_end: bool = False) -> Span:
     raise InputError.of_field("span", name, f"one of {', '.join((*SPANS, *ends))}, with N above 0")
 
 
-def distinct_rows(keys: NDArray[np.uint64]) -> tuple[list[tuple[int, ...]], NDArray[np.int32]]:
-    """Return the distinct rows along the last axis and the index of each row among them.
+def choose(base: Scenario, names: Sequence[str], span: str) -> tuple[tuple[Quantity, ...], Span]:
+    """Return quantities and a span by name; refuse those that do not go together, and a span that never ends."""
+    quantities, chosen = choose_quantities(names), make_span(span, in_the_end=True)
+    for quantity in quantities:
+        if quantity.settled != chosen.settled:
+            fitting = "settled or settled:landing" if quantity.settled else ", ".join(SPANS)
+            raise InputError.of_field("span", span, f"{fitting} with quantity {quantity.name}")
+    if chosen.settled and base.plane.gravity == 0.0:
+        raise InputError.of_field("plane.gravity", 0.0, "above 0 with span 'settled': without it no motion comes back")
+    return quantities, chosen
 
-    Of neighbours that are equal only one is looked up.
+
+def distinct_sequences(keys: NDArray[np.uint64]) -> tuple[list[str], NDArray[np.int32]]:
+    """Return the distinct sequences of an array of packed ones, shape (..., INTEGERS), and the index of each among them."""
+    # as bytes: of rows of integers np.unique takes 20 times as long
+    rows, place = np.unique(keys.view(f"V{8 * kernel.INTEGERS}"), return_inverse=True)
+    texts = [unpacked_sequence(row) for row in rows.view(np.uint64).reshape(-1, kernel.INTEGERS)]
+    return texts, place.reshape(keys.shape[:-1]).astype(np.int32)
+
+
+def codes_of(sequences: Iterable[str]) -> dict[str, int]:
+    """Return the codes of the sequences of a map, short ones first; the empty one, of a cell without a motion, has −1."""
+    ordered = sorted({"", *sequences}, key=lambda text: (len(text), text))
+    return {text: code for code, text in enumerate(ordered, kernel.NOT_ALLOWED)}
+
+
+def sequences_with(codes: Mapping[str, int]) -> Quantity:
+    """Return the quantity of sequences with those of a map, as `codes_of` returns them."""
+    return QUANTITIES[SEQUENCE]._replace(words=tuple(codes)[1:])
+
+
+def encode(texts: Sequence[str], place: NDArray[np.int32], codes: Mapping[str, int]) -> NDArray[np.int32]:
+    """Return the codes of cells from their sequences, as `distinct_sequences` returns them."""
+    return np.array([codes[text] for text in texts], np.int32)[place]
+
+
+def attributes(meaning: str, unit: str, words: Sequence[str] = (), first: int = 0) -> dict[str, Any]:
+    """Return the attributes of a number's array, or of an array of codes with their words, following the CF conventions.
+
+    first: the code of the first word.
     """
-    flat = keys.reshape(-1, keys.shape[-1])
-    first = np.flatnonzero(np.append(True, (flat[1:] != flat[:-1]).any(axis=1))[: len(flat)])
-    known: dict[tuple[int, ...], int] = {}
-    place = np.array([known.setdefault(tuple(row), len(known)) for row in flat[first].tolist()], np.int32)
-    return list(known), np.repeat(place, np.diff(np.append(first, len(flat)))).reshape(keys.shape[:-1])
-
-
-def table_of(keys: Iterable[tuple[int, ...]]) -> tuple[list[str], dict[tuple[int, ...], int]]:
-    """Return all sequences of a map, short ones first, and the code of each packed one; −1 for none."""
-    texts = {key: unpacked_sequence(key) for key in keys}
-    names = sorted({*texts.values()} - {""}, key=lambda text: (len(text), text))
-    place = {name: i for i, name in enumerate(names)} | {"": kernel.NOT_ALLOWED}
-    return names, {key: place[text] for key, text in texts.items()}
-
-
-def attributes(quantity: Quantity, sequences: Sequence[str] = ()) -> dict[str, Any]:
-    """Return the attributes of a quantity's array, following the CF conventions."""
-    result: dict[str, Any] = {"long_name": quantity.meaning}
-    if not quantity.is_code:
-        return result | {"units": quantity.unit}
-    words = sequences if quantity.name == SEQUENCE else quantity.words
-    return result | flags_in_file([NOT_ALLOWED, *words], kernel.NOT_ALLOWED)
-
-
-def flags_in_file(words: Sequence[str], first: int = 0) -> dict[str, Any]:
-    """Return the attributes of an array of codes with their words, from the first code on."""
+    if unit:
+        return {"long_name": meaning, "units": unit}
     codes = list(range(first, first + len(words)))
-    return {"units": "1", "flag_values": codes, "flag_meanings": " ".join(words)}
+    return {"long_name": meaning, "units": "1", "flag_values": codes, "flag_meanings": " ".join(words)}
 
 
 def words_of(array: Any) -> list[str]:

@@ -14,7 +14,7 @@ import contextlib
 import json
 import os
 import shutil
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -27,29 +27,30 @@ from hophoop._support.checksum import CHECKSUM, checksum, is_broken
 from hophoop._support.extras import need
 from hophoop._support.files import consolidate, ignore_foreign_zarr_files
 from hophoop._support.stopping import temporary
-from hophoop.maps.grid.axes import Axis
-from hophoop.maps.grid.evaluate import Plan
+from hophoop.maps.grid.axes import has_words
+from hophoop.maps.grid.evaluate import Plan, Region
 from hophoop.maps.grid.kernel import INTEGERS
-from hophoop.maps.grid.quantities import QUANTITIES, SEQUENCE, Quantity, attributes, distinct_rows, flags_in_file, table_of
-from hophoop.scenario import InputError
+from hophoop.maps.grid.quantities import QUANTITIES, Quantity, attributes, codes_of, distinct_sequences, encode, sequences_with
+from hophoop.scenario import InputError, parameter
+from hophoop.vocabulary.names import SEQUENCE
 
 if TYPE_CHECKING:
     import xarray
 
 UNFINISHED, LOCK = "unfinished", "lock"
 SCHEMA = "hophoop-map/1"
-MOST_SHORT_CODES = 2**15 - 1
 ALL_CHUNKS = {"write_empty_chunks": True}
+DAMAGED = "{} is damaged: its checksum is not that of its content."
 
 
 # --- a store while it is written
 
 
 @contextmanager
-def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, list[tuple[int, ...]]]]:
-    """Create or resume the store, locked against other processes.
+def begun(path: Path, plan: Plan, resume: bool, threads: int) -> Iterator[tuple[Plan, dict[str, Any], list[Region]]]:
+    """Create or resume the store, locked against other processes, and complete it at the end.
 
-    Yields the plan with the chunk shape of the store, and the places of the missing chunks.
+    Yields the plan with the chunk shape of the store, the arrays to be written to, and the missing chunks.
     """
     if not path.exists():
         _create(path, plan)
@@ -57,14 +58,15 @@ def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, list[tup
         raise InputError(f"{path} exists already: choose another name, remove it, or resume it: --resume, resume=True.")
     _compare(path, plan)
     with contextlib.nullcontext() if is_complete(path) else _locked(path):
-        todo: list[tuple[int, ...]] = []
-        if not is_complete(path):
-            arrays = arrays_of(path, plan)
+        if is_complete(path):
+            yield plan, {}, []
+        else:
+            arrays = _arrays_of(path.resolve(), plan)
             plan = plan._replace(chunk=next(iter(arrays.values())).chunks[: len(plan.shape)])
-            todo = [index for index in np.ndindex(*plan.chunks) if not _is_written(path, arrays, index)]
-        yield plan, todo
-    if is_complete(path):
-        shutil.rmtree(path / UNFINISHED, ignore_errors=True)
+            written = map(_written, arrays.values())
+            yield plan, arrays, [region for region, *there in zip(plan.regions(), *written, strict=True) if not all(there)]
+            finish(path, plan, threads)
+    shutil.rmtree(path / UNFINISHED, ignore_errors=True)
 
 
 def is_complete(path: Path) -> bool:
@@ -107,15 +109,14 @@ def _compare(path: Path, plan: Plan) -> None:
 
 
 def _create(path: Path, plan: Plan) -> None:
-    if path.is_symlink():  # to a folder that is not there yet; the link stays
-        path = Path(os.path.realpath(path))
+    path = path.resolve()  # a link to a folder that is not there yet stays
     with temporary(path.with_name(f".{os.urandom(6).hex()}.{path.name}")) as fresh:
         need("zarr", "maps").create_group(str(fresh), attributes=_provenance(plan))
-        for axis in plan.axes:
-            _write_axis(fresh, axis)
+        for name, values in plan.axes.items():
+            _write_axis(fresh, name, values)
         (fresh / UNFINISHED).mkdir()
         for quantity in plan.quantities:
-            _create_array(fresh, plan, quantity)
+            _create_array(_folder(fresh, quantity.name), plan, quantity, packed=quantity.name == SEQUENCE)
         try:
             fresh.rename(path)
         except OSError:
@@ -124,39 +125,34 @@ def _create(path: Path, plan: Plan) -> None:
                 raise
 
 
-def _write_axis(path: Path, axis: Axis) -> None:
-    """Write a coordinate; words as codes with their table."""
-    values, said = axis.values, attributes_of(axis)
-    if not axis.unit:
-        said |= flags_in_file(values.tolist())
-        values = np.arange(values.size, dtype=np.int16)
+def _write_axis(path: Path, name: str, values: NDArray[Any]) -> None:
+    data, said = coordinate(name, values)
     need("zarr", "maps").create_array(
-        str(path / axis.path), data=values, chunks=values.shape, dimension_names=[axis.path], attributes=said, config=ALL_CHUNKS
+        str(path / name), data=data, chunks=data.shape, dimension_names=[name], attributes=said, config=ALL_CHUNKS
     )
 
 
-def _create_array(path: Path, plan: Plan, quantity: Quantity, sequences: Sequence[str] | None = None) -> Any:
+def _create_array(folder: Path, plan: Plan, quantity: Quantity, packed: bool = False) -> Any:
     """Create the array of a quantity; every chunk gets a file, also where its values are all 0, and a checksum.
 
-    sequences: before they are known, sequences are packed into integers.
+    packed: of sequences that are packed into integers, before all are known.
     """
-    zarr, packed = need("zarr", "maps"), quantity.name == SEQUENCE and sequences is None
-    more = (INTEGERS,) if packed else ()
+    zarr, more = need("zarr", "maps"), (INTEGERS,) if packed else ()
     return zarr.create_array(
-        str(_folder(path, quantity.name) if packed else path / quantity.name),
+        str(folder),
         shape=plan.shape + more,
         chunks=plan.chunk + more,
-        dtype="u8" if packed else quantity.dtype if sequences is None else code_type(sequences),
+        dtype="u8" if packed else quantity.dtype,
         fill_value=0 if packed else quantity.fill,
         compressors=[zarr.codecs.ZstdCodec(), zarr.codecs.Crc32cCodec()],
-        dimension_names=None if packed else [axis.path for axis in plan.axes],
-        attributes=attributes(quantity, sequences or ()),
+        dimension_names=None if packed else list(plan.axes),
+        attributes=quantity.attributes,
         config=ALL_CHUNKS,
         overwrite=True,
     )
 
 
-def arrays_of(path: Path, plan: Plan) -> dict[str, Any]:
+def _arrays_of(path: Path, plan: Plan) -> dict[str, Any]:
     """Return the arrays of an incomplete store to be written to."""
     zarr = need("zarr", "maps")
     with zarr.config.set({f"array.{key}": value for key, value in ALL_CHUNKS.items()}):
@@ -167,62 +163,50 @@ def _folder(path: Path, name: str) -> Path:
     return path / UNFINISHED / name if name == SEQUENCE else path / name
 
 
-def _is_written(path: Path, arrays: Mapping[str, Any], index: tuple[int, ...]) -> bool:
-    """Return True if a chunk is there of every quantity."""
-    keys = {name: (*index, 0)[: array.ndim] for name, array in arrays.items()}
-    return all((_folder(path, name) / array.metadata.encode_chunk_key(keys[name])).exists() for name, array in arrays.items())
+def _written(array: Any) -> list[bool]:
+    """Return for each chunk of an array whether its file is there."""
+    keys = map(array.metadata.encode_chunk_key, np.ndindex(array.cdata_shape))
+    return [(array.store.root / key).exists() for key in keys]
 
 
 def finish(path: Path, plan: Plan, threads: int) -> None:
     """Give the sequences their codes, and the attributes their checksum, which completes the store."""
-    if any(quantity.name == SEQUENCE for quantity in plan.quantities):
+    if QUANTITIES[SEQUENCE] in plan.quantities:
         _write_sequences(path, plan, threads)
     for left in path.rglob("*.partial"):  # of a process that was killed
         left.unlink(missing_ok=True)
-    need("zarr", "maps").open_group(str(path), mode="r+").attrs[CHECKSUM] = _checksum_of(path)
+    with opened(path) as dataset:
+        need("zarr", "maps").open_group(str(path), mode="r+").attrs[CHECKSUM] = _checksum_of(dataset)
     consolidate(path)
 
 
 def _write_sequences(path: Path, plan: Plan, threads: int) -> None:
     packed = need("zarr", "maps").open_array(str(_folder(path, SEQUENCE)), mode="r")
-    regions = [plan.region(index) for index in np.ndindex(*plan.chunks)]
     with ThreadPoolExecutor(threads) as pool:
-        names, codes = table_of(set().union(*pool.map(lambda region: distinct_rows(packed[region])[0], regions)))
-        array = _create_array(path, plan, QUANTITIES[SEQUENCE], names)
+        codes = codes_of(set().union(*pool.map(lambda region: distinct_sequences(packed[region])[0], plan.regions())))
+        array = _create_array(path / SEQUENCE, plan, sequences_with(codes))
 
-        def write(region: tuple[slice, ...]) -> None:
-            array[region] = encode(packed[region], codes)
+        def write(region: Region) -> None:
+            array[region] = encode(*distinct_sequences(packed[region]), codes)
 
-        for _ in pool.map(write, regions):
+        for _ in pool.map(write, plan.regions()):
             pass
-
-
-def encode(keys: NDArray[np.uint64], codes: Mapping[tuple[int, ...], int]) -> NDArray[np.int32]:
-    """Return the codes of a block of packed sequences."""
-    rows, place = distinct_rows(keys)
-    return np.array([codes[row] for row in rows], np.int32)[place]
-
-
-def code_type(names: Sequence[str]) -> str:
-    """Return the type of the codes of sequences."""
-    return "int16" if len(names) <= MOST_SHORT_CODES else "int32"
 
 
 # --- datasets
 
 
-def dataset_of(plan: Plan, arrays: Mapping[str, Any], names: Sequence[str]) -> xarray.Dataset:
-    """Return arrays in memory with their coordinates and attributes; `names` are the sequences."""
-    paths = [axis.path for axis in plan.axes]
-    variables = {q.name: (paths, arrays[q.name], attributes(q, names)) for q in plan.quantities}
-    coordinates = {axis.path: (axis.path, axis.values, attributes_of(axis)) for axis in plan.axes}
-    made: xarray.Dataset = need("xarray", "maps").Dataset(variables, coordinates, _provenance(plan))
-    return made
+def dataset_of(plan: Plan, arrays: Mapping[Quantity, Any]) -> xarray.Dataset:
+    """Return arrays in memory with their coordinates and attributes."""
+    variables = {quantity.name: (list(plan.axes), array, quantity.attributes) for quantity, array in arrays.items()}
+    coordinates = {name: (name, *coordinate(name, values)) for name, values in plan.axes.items()}
+    return with_words(need("xarray", "maps").Dataset(variables, coordinates, _provenance(plan)), plan.axes)
 
 
-def attributes_of(axis: Axis) -> dict[str, Any]:
-    """Return the attributes of a coordinate."""
-    return {"long_name": axis.description} | ({"units": axis.unit} if axis.unit else {})
+def coordinate(name: str, values: NDArray[Any]) -> tuple[NDArray[Any], dict[str, Any]]:
+    """Return the values of an axis, of words their codes, and its attributes."""
+    about, words = parameter(name), values.tolist() if has_words(values) else []
+    return np.arange(len(words), dtype=np.int16) if words else values, attributes(about.description, about.unit, words)
 
 
 def _provenance(plan: Plan) -> dict[str, Any]:
@@ -260,15 +244,20 @@ def open_map(path: str | Path) -> xarray.Dataset:
     ImportError
         If xarray is missing.
     """
-    need("xarray", "maps")
-    place = Path(path)
+    xarray, place = need("xarray", "maps"), Path(path)
     if not place.exists():
         raise InputError(f"{place} is not there.")
     if not is_complete(place):
         raise InputError(f"{place} is not complete: continue it with resume.")
     try:
-        _check_whole(place)
-        return with_words(opened(place))
+        if place.suffix == ".nc" and is_broken(place):
+            raise InputError(DAMAGED.format(place))
+        dataset = opened(place)
+        _check_whole(place, dataset)
+        plan = json.loads(dataset.attrs["plan"])
+        found = xarray.decode_cf(dataset)[[*plan["quantities"], *plan["axes"]]]
+        found.attrs.pop(CHECKSUM, None)  # of the file
+        return with_words(found, plan["axes"])
     except InputError:
         raise
     except Exception as error:  # libraries raise many kinds of errors on malformed files
@@ -276,61 +265,51 @@ def open_map(path: str | Path) -> xarray.Dataset:
         raise InputError(f"{place} cannot be read as a map of hophoop: {lines[0].rstrip('.: ')}.") from None
 
 
-def opened(place: Path, **options: Any) -> Any:
-    """Open a complete map as xarray reads it."""
+def opened(place: Path) -> Any:
+    """Open a complete map as xarray reads it, without decoding."""
     xarray = need("xarray", "maps")
     if place.suffix == ".nc":
-        return xarray.open_dataset(place, engine="netcdf4", **options)
+        return xarray.open_dataset(place, engine="netcdf4", decode_cf=False)
     with ignore_foreign_zarr_files():
-        return xarray.open_zarr(str(place), chunks=None, consolidated=False, **options)
+        return xarray.open_zarr(str(place), chunks=None, consolidated=False, decode_cf=False)
 
 
-def _checksum_of(place: Path) -> str:
+def _checksum_of(dataset: Any) -> str:
     """Return the checksum of a map except for the values of its quantities, whose chunks have their own."""
-    with opened(place, decode_cf=False) as dataset:
-        return checksum({"/": dataset}, without=list(dataset.data_vars))
+    return checksum({"/": dataset}, without=list(dataset.data_vars))
 
 
-def _check_whole(place: Path) -> None:
+def _check_whole(place: Path, dataset: xarray.Dataset) -> None:
     """Refuse a map of another schema, and one that has changed since it was written."""
-    damaged = f"{place} is damaged: its checksum is not that of its content."
-    if place.suffix == ".nc" and is_broken(place):
-        raise InputError(damaged)
-    with opened(place, decode_cf=False) as dataset:
-        said, names = dict(dataset.attrs), list(dataset.data_vars)
-        if "plan" not in said:
-            raise InputError(f"{place} is not a map of hophoop.")
-        if said.get("schema") != SCHEMA:
-            raise InputError(
-                f"{place} has the schema {said.get('schema')!r}, but this version of hophoop reads {SCHEMA!r} only."
-            )
-        if CHECKSUM not in said:
-            return  # a copy that xarray wrote
-    if said[CHECKSUM] != _checksum_of(place):
-        raise InputError(damaged)
+    said = dataset.attrs
+    if "plan" not in said:
+        raise InputError(f"{place} is not a map of hophoop.")
+    if said.get("schema") != SCHEMA:
+        raise InputError(f"{place} has the schema {said.get('schema')!r}, but this version of hophoop reads {SCHEMA!r} only.")
+    if CHECKSUM not in said:
+        return  # a copy that xarray wrote
+    if said[CHECKSUM] != _checksum_of(dataset):
+        raise InputError(DAMAGED.format(place))
     if place.suffix != ".nc":
-        group = need("zarr", "maps").open_group(str(place), mode="r", use_consolidated=False)
-        for name in names:
-            _check_chunks(place, group[name])
+        for name in dataset.data_vars:
+            _check_chunks(place, str(name))
 
 
-def _check_chunks(place: Path, array: Any) -> None:
+def _check_chunks(place: Path, name: str) -> None:
     """Refuse an array with a chunk that is missing, or that is not as it was written."""
+    array = need("zarr", "maps").open_array(str(place / name), mode="r")
     if array.nchunks_initialized != array.nchunks:
         raise InputError(f"{place} is damaged: a part of it is missing.")
     for index in np.ndindex(array.cdata_shape):
         try:
             array.blocks[index]
         except Exception as error:  # of its codecs
-            raise InputError(f"{place} is damaged: a part of {array.basename} is not as it was written.") from error
+            raise InputError(f"{place} is damaged: a part of {name} is not as it was written.") from error
 
 
-def with_words(dataset: xarray.Dataset) -> xarray.Dataset:
+def with_words(dataset: xarray.Dataset, axes: Mapping[str, Any]) -> xarray.Dataset:
     """Return the dataset with words instead of codes along axes of words."""
-    plan = json.loads(dataset.attrs["plan"])
-    dataset = dataset[plan["quantities"]]
-    dataset.attrs.pop(CHECKSUM, None)  # of the file
-    for name, words in plan["axes"].items():
+    for name, words in axes.items():
         said = dataset[name].attrs
         if "flag_meanings" in said:
             dataset = dataset.assign_coords({name: (name, words, {"long_name": said["long_name"]})})

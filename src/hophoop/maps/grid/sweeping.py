@@ -18,10 +18,11 @@ from hophoop._support.progress import bar
 from hophoop._support.stopping import remove
 from hophoop.maps.grid import store
 from hophoop.maps.grid.chunks import check_address, compute_on_cluster, compute_on_threads
-from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, cores, make_plan
+from hophoop.maps.grid.evaluate import CHUNK_CELLS, Plan, Region, cores, make_plan
 from hophoop.maps.grid.memory import check_memory
-from hophoop.maps.grid.quantities import SEQUENCE, distinct_rows, table_of
+from hophoop.maps.grid.quantities import Quantity, codes_of, distinct_sequences, encode, sequences_with
 from hophoop.scenario import InputError, Scenario
+from hophoop.vocabulary.names import SEQUENCE
 
 if TYPE_CHECKING:
     import xarray
@@ -125,17 +126,13 @@ def sweep(
     place = place_of(file)
     if place != file:  # netCDF is written at the end, all at once
         check_memory(plan.shape, 2 * kinds, "name a file that ends in .zarr")
-    with store.begun(place, plan, resume) as (plan, todo), _reporting(progress, plan) as report:
-        left = sum(math.prod(part.stop - part.start for part in plan.region(index)) for index in todo)
+    with store.begun(place, plan, resume, threads or cores()) as (plan, arrays, todo), _reporting(progress, plan) as report:
+        left = sum(math.prod(part.stop - part.start for part in region) for region in todo)
         report(math.prod(plan.shape) - left)
-        if todo:
-            arrays = store.arrays_of(place.resolve(), plan)
-            if scheduler is None:
-                compute_on_threads(plan, arrays, todo, threads, report)
-            else:
-                compute_on_cluster(plan, arrays, todo, scheduler, report)
-        if not store.is_complete(place):
-            store.finish(place, plan, threads or cores())
+        if todo and scheduler is None:
+            compute_on_threads(plan, arrays, todo, threads, report)
+        elif todo:
+            compute_on_cluster(plan, arrays, todo, scheduler, report)
     if file.suffix == ".nc":
         _to_netcdf(place, file)
     return store.open_map(file)
@@ -147,21 +144,22 @@ def place_of(file: Path) -> Path:
 
 
 class _Sequences:
-    """Sequences in memory: of each chunk its region, its packed sequences, and of each cell the index among them."""
+    """Sequences in memory: of each chunk its region, its distinct sequences, and of each cell the index among them."""
 
     def __init__(self) -> None:
         self.chunks: list[Any] = []
 
-    def __setitem__(self, region: tuple[slice, ...], keys: NDArray[np.uint64]) -> None:
-        self.chunks.append((region, *distinct_rows(keys)))
+    def __setitem__(self, region: Region, keys: NDArray[np.uint64]) -> None:
+        self.chunks.append((region, *distinct_sequences(keys)))
 
-    def coded(self, shape: tuple[int, ...]) -> tuple[list[str], NDArray[Any]]:
-        """Return all sequences, and the code of each cell."""
-        names, codes = table_of({row for _, rows, _ in self.chunks for row in rows})
-        found = np.empty(shape, store.code_type(names))
-        for region, rows, place in self.chunks:
-            found[region] = np.array([codes[row] for row in rows])[place]
-        return names, found
+    def coded(self, shape: tuple[int, ...]) -> tuple[Quantity, NDArray[Any]]:
+        """Return the quantity with all sequences, and the code of each cell."""
+        codes = codes_of(text for _, texts, _ in self.chunks for text in texts)
+        quantity = sequences_with(codes)
+        found = np.empty(shape, quantity.dtype)
+        for region, texts, place in self.chunks:
+            found[region] = encode(texts, place, codes)
+        return quantity, found
 
 
 def _in_memory(plan: Plan, threads: int | None, report: Callable[[int], None]) -> xarray.Dataset:
@@ -169,11 +167,10 @@ def _in_memory(plan: Plan, threads: int | None, report: Callable[[int], None]) -
         quantity.name: _Sequences() if quantity.name == SEQUENCE else np.empty(plan.shape, quantity.dtype)
         for quantity in plan.quantities
     }
-    compute_on_threads(plan, targets, np.ndindex(*plan.chunks), threads, report)
-    names: list[str] = []
-    if SEQUENCE in targets:
-        names, targets[SEQUENCE] = targets[SEQUENCE].coded(plan.shape)
-    return store.dataset_of(plan, targets, names)
+    compute_on_threads(plan, targets, plan.regions(), threads, report)
+    pairs = ((quantity, targets[quantity.name]) for quantity in plan.quantities)
+    arrays = dict(found.coded(plan.shape) if isinstance(found, _Sequences) else (quantity, found) for quantity, found in pairs)
+    return store.dataset_of(plan, arrays)
 
 
 def _to_netcdf(place: Path, file: Path) -> None:
