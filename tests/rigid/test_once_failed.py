@@ -9,6 +9,7 @@ import invariants
 
 MASSLESS = "hoop.eccentricity=1&hoop.inertia_ratio=0"
 BOTTOM = "start.angle=3.141592653589793"
+HELD = "duration=2&hoop.load_fraction=0.1101725026406969&plane.mu=0.3155&plane.rolling_resistance=1"
 ONCE = {
     "without end": "hoop.load_fraction=0.99999&start.speed=1",
     "a start too slow for the tables of panels":
@@ -40,6 +41,10 @@ ONCE = {
     "jammed where slip begins at the singular angle, which is at its end":
         "duration=1000&hoop.radius=9.57061204309192&hoop.eccentricity=1&hoop.inertia_ratio=1e-12&plane.gravity=15.113836368357711"
         "&plane.restitution=1&plane.impact_law=newton&start.angle=1.3621702201520565&contact.max_events=150",
+    "slid up the slope on which a couple holds it from turning, as the square of its speed is below all doubles":
+        f"{HELD}&plane.slope=0.31688841823092484&start.angle=-0.7740592584851411&start.speed=4e-293",
+    "the same of the mirrored slope":
+        f"{HELD}&plane.slope=-0.31688841823092484&start.angle=0.7740592584851411&start.speed=4e-293",
     "made energy beside the hilltop: θ̇² loses digits on the way round and regains them there, and v_t has to follow":
         "hoop.load_fraction=0.9999999994242047&plane.mu=1e-200&start.angle=1e-40&start.vx=12&start.omega=0.00019809088823063016",
     "the same of one that turns back each time":
@@ -50,6 +55,11 @@ ONCE = {
 }  # fmt: skip
 # status and first letters of the sequence, where a motion is known to have others than most
 KNOWN = {
+    "slid up the slope on which a couple holds it from turning, as the square of its speed is below all doubles": (
+        "completed",
+        "K",
+    ),
+    "the same of the mirrored slope": ("completed", "S"),
     "no mass in the rim, the load on the plane, and a speed: without end": ("undetermined", ""),
     "kept the θ̇ without bound before a strike that rebounds": ("undetermined", ""),
     "driven by friction from a rotation below all doubles": ("at_rest", "R"),

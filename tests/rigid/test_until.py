@@ -9,9 +9,18 @@ import hophoop as hh
 from interrupted import TURN, check_until, same_events
 from random_scenarios import draw, scenario_of
 
-HOPS = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(slope=math.radians(3.0)), duration=12.0)
-RETURNS = hh.Scenario(start=hh.Start.rolling(0.5, angle=3.5), duration=8.0)
-ROCKS = HOPS.with_values({"plane.slope": 0.0, "start.angle": 2.0, "start.speed": 0.3})
+HOPS, RETURNS, ROCKS, RESISTED, SLIDES, MASSLESS, SETTLES = map(
+    hh.Scenario.from_query,
+    (
+        "duration=12&hoop.load_fraction=0.5&plane.slope=0.05",
+        "duration=8&start.angle=3.5&start.speed=0.5",
+        "duration=12&hoop.load_fraction=0.5&start.angle=2&start.speed=0.3",
+        "duration=12&hoop.load_fraction=0.5&plane.rolling_resistance=0.02&start.angle=2.5&start.speed=0.8",
+        "duration=12&hoop.load_fraction=0.5&plane.mu=0.05&plane.rolling_resistance=0.02&start.angle=1.5&start.speed=0",
+        "hoop.load_fraction=1&plane.mu=0.3&start.speed=0.5",
+        "hoop.load_fraction=1&plane.mu=0.9&start.speed=1",
+    ),
+)
 UNTILS = ("revolutions:1", "revolutions:0.3", "landings:1", "landings:3", "angle:1.5", "angle:-2", "takeoff", "reversal")
 
 
@@ -125,12 +134,6 @@ def test_unknown_ends(bad):
 def test_compliant_contact():
     with pytest.raises(ValueError, match=r"^until = 'takeoff' needs rigid contact"):
         hh.simulate(HOPS.replace("contact.model", "compliant"), until="takeoff")
-
-
-RESISTED = ROCKS.with_values({"plane.rolling_resistance": 0.02, "start.speed": 0.8, "start.angle": 2.5})
-SLIDES = RESISTED.with_values({"plane.mu": 0.05, "start.speed": 0.0, "start.angle": 1.5})
-MASSLESS = hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(mu=0.3), start=hh.Start.rolling(0.5), duration=6.0)
-SETTLES = MASSLESS.with_values({"plane.mu": 0.9, "start.speed": 1.0})
 
 
 @pytest.mark.parametrize(
