@@ -1,10 +1,11 @@
 """Films in 2D: measured against the motion, and looked at by a program."""
 
+import matplotlib
 import numpy as np
 import pytest
 
 import hophoop as hh
-from animate_tools import darkest_spot, keys_of, motion, near, places
+from animate_tools import darkest_spot, keys_of, motion, near, places, window
 from hophoop.animate import Player, film, picture, player
 from hophoop.animate.film2d import Film2D
 from hophoop.animate.frames import Timing
@@ -76,6 +77,18 @@ def test_arrows_are_to_one_scale():
 )
 def test_keys_are_those_of_what_is_seen(speed, look, timing, keys):
     assert keys_of(opened([motion(speed)], timing=timing, **look)) == keys
+
+
+def test_the_ring_shows_the_speed_of_its_points():
+    """The pixel in the middle of the ring, at some places, through the colour map back to a speed."""
+    shown = opened([motion(2.0)], size=(1280, 720), bare=True)
+    drawn, sample, top = shown.draw(7), motion(2.0).at(0.7), shown.subject.whole.speed
+    palette = matplotlib.colormaps[colors.RING_SPEED_MAP](np.linspace(0, 1, 512))[:, :3] * 255
+    for angle in np.radians([10, 100, 325]):
+        spot = [sample.x + 0.975 * np.sin(angle), 1.0 + 0.975 * np.cos(angle)]
+        share = np.argmin(np.abs(palette - window(drawn, shown.pixel_of(7, 0, spot))[0, 0]).sum(axis=1)) / 511
+        # twice the speed of the centre times the cosine of half the angle, in rolling
+        assert share * top == pytest.approx(2 * sample.vx * abs(np.cos(angle / 2)), abs=0.03 * top)
 
 
 def test_panels_are_uncovered_as_time_goes_on():
