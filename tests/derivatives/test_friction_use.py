@@ -8,9 +8,6 @@ import pytest
 import hophoop as hh
 from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.results.sensitivity import SIDED
-from hophoop.kernel.records.layout import new_scratch
-from hophoop.maps.grid.friction_utilization import greatest_utilization
-from hophoop.maps.grid.kernel import ComputedMotion
 
 USE = "greatest_utilization"
 PATHS = ("start.speed", "start.angle", "plane.mu", "plane.gravity", "plane.slope", "duration")
@@ -21,10 +18,7 @@ pytestmark = pytest.mark.usefixtures("interpreted")
 
 def use_of(scenario, path, value):
     """As a cell of a map has it."""
-    changed = scenario.with_values({path: value})
-    events, segments = (hh.simulate(changed).tables[name] for name in ("events", "segments"))
-    motion = ComputedMotion(changed.to_body(), 0, events, len(events), segments, len(segments), False, math.inf)
-    return float(greatest_utilization(motion, new_scratch()))
+    return float(hh.maps.points(scenario, {path: [value]}, [USE], "duration")[USE][0])
 
 
 @pytest.mark.parametrize(

@@ -51,27 +51,22 @@ def test_there_is_none_to_either_side(query, path, reason):
 
 
 @pytest.mark.parametrize("law", LAW_CODES)
-def test_a_hoop_dropped_without_rotation_lands_without_slip(law):
-    """v_t = 0 at the landing: a little slip is ended by the impact, by the same impulse on either side."""
-    plane = hh.Plane(mu=0.9, restitution=0.4, impact_law=law)
-    scenario = hh.Scenario(start=hh.Start(height=0.3, angle=0.6), plane=plane, duration=0.3)
-    of = ["impact.omega", "impact.vy", "impact.slip"]
-    found = hh.sensitivity(scenario, of, "start.vx").derivatives[:, 0]
-    for step in (-(2.0**-26), 2.0**-26):
-        assert found == pytest.approx(one_sided(scenario, "start.vx", step, of), rel=1e-8, abs=1e-12)
+@pytest.mark.parametrize(
+    ("path", "mu", "angle", "sided"),
+    [("start.vx", 0.9, 0.6, False), ("start.vx", 0.2, 2.0, True), ("start.omega", 0.2, 2.0, True)],
+)
+def test_a_hoop_dropped_without_rotation_lands_without_slip(law, path, mu, angle, sided):
+    """v_t = 0 at the landing: a little slip is ended by the impact, by the same impulse on either side.
 
-
-@pytest.mark.parametrize("law", LAW_CODES)
-@pytest.mark.parametrize("path", ["start.omega", "start.vx"])
-def test_a_hoop_dropped_without_rotation_lands_without_slip_and_starts_to_slide(law, path):
-    """With little friction the two sides differ: a little slip against the one to come is stopped first."""
-    plane = hh.Plane(mu=0.2, restitution=0.4, impact_law=law)
-    scenario = hh.Scenario(plane=plane, start=hh.Start(height=0.5, angle=2.0), duration=0.4)
+    With little friction it starts to slide, and the sides differ: a little slip against the one to come is stopped first.
+    """
+    plane = hh.Plane(mu=mu, restitution=0.4, impact_law=law)
+    scenario = hh.Scenario(start=hh.Start(height=0.3, angle=angle), plane=plane, duration=0.3)
     of = ["impact.omega", "impact.vy", "impact.slip"]
     result = hh.sensitivity(scenario, of, path)
-    assert result.reasons[0] == (SIDED,)
+    assert result.reasons[0] == (SIDED if sided else "",)
     for step, found in ((-(2.0**-26), result.smaller), (2.0**-26, result.larger)):
-        assert found[:, 0] == pytest.approx(one_sided(scenario, path, step, of), rel=1e-7)
+        assert found[:, 0] == pytest.approx(one_sided(scenario, path, step, of), rel=1e-7 if sided else 1e-8, abs=1e-12)
 
 
 def test_the_edge_of_what_is_allowed():
