@@ -176,8 +176,8 @@ def test_a_plan_has_limits_of_what_may_be_at_an_end_of_its_range(restitution, li
 def test_a_share_of_the_errors_that_lasts_is_found():
     """Under errors that are new in each frame a slow one hides, whose neighbours correlate by little, and for long."""
     rng = np.random.default_rng(6)
-    found = autocorrelation_time(np.sqrt(0.3) * lasting(rng.normal(size=1000), 0.9) + np.sqrt(0.7) * rng.normal(size=1000))
-    assert found == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
+    errors = np.sqrt(0.3) * lasting(rng.normal(size=1000), 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
+    assert autocorrelation_time(3.0 * errors) == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
     assert autocorrelation_time(rng.normal(size=1000)) == 1.0
 
 

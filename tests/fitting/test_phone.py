@@ -5,7 +5,8 @@ import pytest
 
 import hophoop as hh
 from checkout import ROOT
-from fitting_tools import RADIUS, TRUTH, hopping, is_told, pulls
+from fitting_tools import RADIUS, TRUTH, hopping, is_told, posed, pulls
+from hophoop.fitting.guess import guess
 from hophoop.tracking import Reading, read_track
 from hophoop.tracking.table import track_of
 
@@ -29,6 +30,14 @@ def test_a_record_of_the_angular_velocity_gives_hoop_contact_and_start(rate, dig
     assert {*RECORDED, "omega_offset"} - set(fit.free) <= {"mu_excess"}
     assert np.nanmax(np.abs(pulls(fit, RECORDED | {"omega_offset": offset}))) < 3.0
     assert fit.error("gamma") < (1e-3 if not noise else 1e-2)
+
+
+def test_in_rolling_the_energy_gives_the_load():
+    t = np.arange(200) / 200.0
+    omega = hopping(start=hh.Start.rolling(1.0, angle=0.1)).at(t).omega
+    problem, values = posed(track_of(t, {"omega": omega}, radius=RADIUS))
+    found = guess(problem.runs[0], values)
+    assert (found["gamma"], found["angle0"]) == pytest.approx((0.6, 0.1), abs=1e-3)
 
 
 def test_the_error_may_be_given():

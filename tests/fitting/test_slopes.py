@@ -62,6 +62,7 @@ def test_slopes_are_those_of_differences(name):
     }
     known |= {"marker_angle": 0.05, "marker_ratio": 0.7, "eccentricity": 0.6, "inertia_ratio": 0.6}
     problem, values = posed(track, name if name in ("sliding", "flying") else "rolling", hoop, plane, **known)
+    assert not marker or (problem.runs[0].channels[0].values == track.marker[:, 0]).all()
     problem = problem_of([replace(problem.runs[0], priors={"x0": Prior(0.1, 0.2), "slope": Prior(0.0, 0.5)})])
     jacobian = slopes(problem, parameters(values, problem.names))
     exact = exact_slopes(problem, values, problem.names)

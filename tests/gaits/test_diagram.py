@@ -21,6 +21,7 @@ def test_attractors_are_stable_gaits_and_coexisting_ones_are_told_apart():
     lasting = [[one for one in several if one.fate == Fate.GAIT] for several in found.attractors]
     kinds = [sorted((one.period, one.hops) for one in several) for several in lasting]
     assert kinds == [[(1, 0), (1, 1)], [(1, 0), (2, 2)], [(2, 2)], [(4, 4)]]
+    assert repr(found).endswith("several at 4 values>")
     for value, several in zip(found.values[:3], lasting, strict=False):
         for one in several:
             gaits = hh.gaits.find(BASE.replace("plane.slope", value), one.period, near=3.45)
@@ -43,6 +44,7 @@ def test_chaos_and_standstill():
     """At 4° chaos with an exponent of 0.575, at 10° every start rocks in the end, at 17.5° it goes on again."""
     found = over([4.0, 10.0, 17.5])
     chaos = next(one for one in found.attractors[0] if one.fate == Fate.CHAOTIC)
+    assert [one.fate for one in found.attractors[0]].count(Fate.CHAOTIC) == 1
     assert chaos.lyapunov == pytest.approx(0.575, abs=0.08)
     assert {one.fate for one in found.attractors[1]} == {Fate.ROCKS}
     assert any(one.fate in (Fate.CHAOTIC, Fate.GAIT) for one in found.attractors[2])

@@ -79,6 +79,7 @@ def test_rates_of_the_map_by_parameters(section, count, path):
 
 def test_every_point_of_a_branch_is_a_gait(branch):
     assert len(branch.parameter) > 100
+    assert (branch.stable == (np.abs(branch.multiplier) < 1.0)).all()
     for k in range(0, len(branch.parameter), 25):
         gait = branch.gait(k)
         assert gait.residual < 1e-12
