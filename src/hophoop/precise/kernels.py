@@ -9,8 +9,6 @@ from collections.abc import Callable
 from types import FunctionType, SimpleNamespace
 from typing import Any
 
-from mpmath import MPContext
-
 from hophoop.kernel.native.marks import source_of
 
 Number = Any
@@ -51,7 +49,7 @@ class Kernels:
         return tuple(self._number(value) if isinstance(value, float) else value for value in found)
 
 
-def numbers_of(ctx: MPContext) -> dict[str, Any]:
+def numbers_of(ctx: Any) -> dict[str, Any]:
     """Return what kernels read under these names to compute in the precision of a context."""
 
     def sine_and_cosine(x: Number) -> tuple[Number, Number]:

@@ -45,22 +45,18 @@ class Contact:
         self.rho = body.of.resistance_arm(body, s, c, begin.om, sigma)
         self.motion = body.of.slip_motion if sigma else body.of.rolling_acceleration
         self.finite = body.mu_s != math.inf
-        self.endings = [Ending.CONE_FORWARD, Ending.CONE_BACKWARD][: 1 + self.finite]
+        # what ends the phase, with the number of derivatives of its watched function that vanish at the start
+        self.endings = dict.fromkeys([Ending.CONE_FORWARD, Ending.CONE_BACKWARD][: 1 + self.finite], 0)
         if sigma:
-            self.endings = [Ending.LIFT_OFF, Ending.SLIP_END]
+            self.endings = {Ending.LIFT_OFF: 0, Ending.SLIP_END: zeros}
             self.drag = sigma * body.mu_k
             self.speed = begin.om * self.arm(s, c) + begin.vt  # ẋ_G + σ μ ẏ_G, which gravity alone changes
             self.pull = body.gt - self.drag * body.gn
         start = begin.om if begin.om != 0 else ball(self.alpha(raw(s), raw(c), arb(0)))
         self.way = 1 if start > 0 else -1
-        self.endings.append(Ending.TURNING_POINT)
-        # derivatives that vanish at the start, of each watched function
-        self.zeros = [0] * (len(self.endings) - 1)
-        self.zeros[-1] = zeros if sigma else 0
-        self.zeros.append(0 if begin.om != 0 else 1)
+        self.endings[Ending.TURNING_POINT] = 0 if begin.om != 0 else 1
         if origin is not None:
-            self.zeros.append(0)
-            self.endings.append(Ending.ANGLE_LIMIT)
+            self.endings[Ending.ANGLE_LIMIT] = 0
 
     def arm(self, s: Any, c: Any) -> Any:
         """1 + ε cos θ − σ μ ε sin θ."""
@@ -243,7 +239,7 @@ def advance(body: Any, sigma: int, begin: State, zeros: int, t_end: Number, orig
     """Roll or slip from a state up to the first event, a turning point or the end of the time."""
     repeats = sigma == 0 and origin is None and body.gt == 0 and body.resist == 0
     contact = Contact(body, sigma, begin, zeros, begin.th if repeats else origin)
-    known, step, rolled = contact.zeros, None, arb(0)
+    known, step, rolled = list(contact.endings.values()), None, arb(0)
     while True:
         body.look_at_clock()
         left = raw(t_end - begin.t) - (step.tau + step.h if step else 0)
@@ -257,7 +253,7 @@ def advance(body: Any, sigma: int, begin: State, zeros: int, t_end: Number, orig
             k, x = found
             if not x < part:
                 raise Unclear("an event comes before the end of the time")
-            after, ending = contact.state(*step.at(x), rolled + step.rolled(x)), contact.endings[k]
+            after, ending = contact.state(*step.at(x), rolled + step.rolled(x)), list(contact.endings)[k]
             if ending == Ending.ANGLE_LIMIT:
                 after = _whole_turn(contact, after, t_end if repeats else None)
                 if repeats:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from hophoop.prove.formulas import State
-from hophoop.prove.numbers import Number, Unclear, arb, ball, raw, sign
+from hophoop.prove.numbers import Number, Unclear, arb, ball, raw, root, sign
 from hophoop.prove.roots import Function, first_root, positive_until
 
 
@@ -68,7 +68,7 @@ class Flight:
             return left.upper()
         rise = abs(begin.vn) + body.eps * abs(begin.om)
         reach = begin.y + 2 * body.eps + ball(1)
-        return raw((rise + ball(raw(rise * rise + 2 * body.gn * reach).sqrt())) / body.gn).upper()
+        return raw((rise + root(rise * rise + 2 * body.gn * reach)) / body.gn).upper()
 
     def landing_rate(self, tau: Number) -> Number:
         """ẏ at the landing: as the gap is zero, f_n τ follows from v_n, and errors do not grow from bounce to bounce."""

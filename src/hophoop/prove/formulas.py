@@ -45,7 +45,7 @@ from hophoop.kernel.steps import begin, collide, contact_step, flight_start, lan
 from hophoop.kernel.steps import end_motion as end_motion
 from hophoop.kernel.steps import limits_of as limits_of
 from hophoop.precise import kernels
-from hophoop.prove.numbers import Ball, arb, flint, raw, sign
+from hophoop.prove.numbers import Ball, arb, flint, raw, root, sign
 
 # The kernels that are called; a body has their copies under their names.
 FORMULAS: tuple[Callable[..., Any], ...] = (
@@ -114,16 +114,16 @@ class Formulas(kernels.Kernels):
 def names_of_balls() -> dict[str, Any]:
     """What kernels read under these names to compute with balls."""
 
-    def sine_and_cosine(x: Any) -> tuple[Any, Any]:
+    def cosine_and_sine(x: Any) -> tuple[Any, Any]:
         s, c = raw(x).sin_cos()
-        return (Ball(s), Ball(c)) if isinstance(s, flint.arb) else (s, c)
+        return (Ball(c), Ball(s)) if isinstance(s, flint.arb) else (c, s)
 
     def sine_and_versine(x: Any) -> tuple[Any, Any]:
         return x.sin(), 1 - x.cos()
 
     def change(s: Any, c: Any, angle: Any) -> tuple[Any, Any]:
         _, _, versine = remainders(angle)
-        sine = sine_and_cosine(angle)[0]
+        _, sine = cosine_and_sine(angle)
         return c * sine - s * versine, -s * sine - c * versine
 
     def remainders(phi: Any) -> tuple[Ball, Ball, Ball]:
@@ -135,15 +135,13 @@ def names_of_balls() -> dict[str, Any]:
         cubic, quartic = z.hypgeom([1], [2, arb(2.5)]), z.hypgeom([1], [arb(2.5), 3])
         return Ball(x**3 / 6 * cubic), Ball(x**4 / 24 * quartic), Ball(2 * half * half)
 
-    return {
-        "math": SimpleNamespace(
-            inf=Ball(math.inf), nan=math.nan,
-            isinf=lambda x: not raw(x).is_finite() and raw(x).is_exact(), isnan=lambda x: raw(x).is_nan(),
-            sqrt=lambda x: Ball(raw(x).sqrt()), copysign=lambda size, way: abs(size) if way >= 0 else -abs(size),
-        ),
-        "sine": lambda x: Ball(raw(x).sin()), "cosine": lambda x: Ball(raw(x).cos()),
-        "sine_and_cosine": sine_and_cosine, "sine_cosine": lambda th, low: sine_and_cosine(th), "sine_cosine_change": change,
-        "sine_and_versine": sine_and_versine, "series_remainders": remainders, "load_height": lambda s, c: 1 + c,
-        "plus": lambda high, low, value: (high + value, low), "sign_beyond": sign, "LARGE_ROTATION": Ball(math.inf),
+    context = SimpleNamespace(
+        inf=Ball(math.inf), nan=math.nan,
+        isinf=lambda x: not raw(x).is_finite() and raw(x).is_exact(), isnan=lambda x: raw(x).is_nan(), sqrt=root,
+        sin=lambda x: Ball(raw(x).sin()), cos=lambda x: Ball(raw(x).cos()), cos_sin=cosine_and_sine,
+    )  # fmt: skip
+    return kernels.numbers_of(context) | {
+        "sine_cosine_change": change, "sine_and_versine": sine_and_versine, "series_remainders": remainders,
+        "load_height": lambda s, c: 1 + c, "sign_beyond": sign, "LARGE_ROTATION": Ball(math.inf),
         **dict.fromkeys(TOLERANCES, Ball(0)),
     }  # fmt: skip

@@ -29,7 +29,7 @@ from hophoop.prove.formulas import (
     names_of_balls,
     slip_direction,
 )
-from hophoop.prove.numbers import Number, Unclear, arb, ball, rational, raw, sign
+from hophoop.prove.numbers import Number, Unclear, arb, ball, rational, raw, root, sign
 
 SPREAD = 1000  # of the box about bounces to come, over the first estimate of how far they go
 
@@ -55,7 +55,7 @@ class Body(problem.Body):
         self.look_at_clock, self.ctx, self.zero = look_at_clock, None, ball(0)
         self.names = names_of_balls()
         self.sine_cosine = self.names["sine_and_cosine"]
-        self.take(exact, ball(math.inf), self.names["math"].sqrt, self.sine_cosine)
+        self.take(exact, ball(math.inf), root, self.sine_cosine)
 
     def number(self, value: Fraction) -> Number:
         """The ball of a rational number."""
@@ -111,19 +111,13 @@ class Run(motion.Run):
         limits: Limits = limits_of(self.body.start(), self.t_end, math.nan, stop, 0)
         return limits
 
-    def write(self, log: Any, cause: PendingEvent, mode: int, state: State, gain: Number, stable: int) -> None:
-        """Append an event."""
-        self.body.look_at_clock()
-        super().write(log, cause, mode, state, gain, stable)
-
     def is_equilibrium(self, body: Any, sigma: int, state: State) -> bool:
         """Return True if a hoop with θ̇ = 0 stays so."""
-        s, c = body.sine_cosine(state.th)
+        of, (s, c) = body.of, body.sine_cosine(state.th)
         if body.resist > 0:
-            of = self.body.of
             torque = of.torque_at_rest(body, s, c) if sigma == 0 else of.slip_torque_arm(body, s, c, sigma) * body.gn
             return bool(abs(torque) <= body.resist * body.gn)
-        return bool(self.body.of.acceleration_in_contact(body, s, c, ball(0), sigma) == 0)
+        return bool(of.acceleration_in_contact(body, s, c, ball(0), sigma) == 0)
 
     def flight(self, phase: Any) -> Any:
         """Fly until the landing and its impact, or the end."""
@@ -226,11 +220,6 @@ class Run(motion.Run):
 def within(bound: Number) -> Number:
     """Any number that is no larger."""
     return ball(arb(0, raw(bound).abs_upper()))
-
-
-def root(value: Number) -> Number:
-    """√x."""
-    return ball(raw(value).sqrt())
 
 
 def largest(values: Iterable[Number]) -> Number:

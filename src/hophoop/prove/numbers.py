@@ -98,6 +98,11 @@ def rational(value: Fraction | int) -> Number:
     return Ball(arb(flint.fmpq(number.numerator, number.denominator)))
 
 
+def root(value: Number) -> Number:
+    """√x."""
+    return Ball(raw(value).sqrt())
+
+
 def _operate(name: str, compute: Callable[[Any, Any], Any]) -> None:
     def wrapped(found: Any) -> Any:
         return Ball(found) if isinstance(found, flint.arb) else found  # or a model or a series

@@ -11,7 +11,7 @@ from typing import Any
 from hophoop.precise.problem import Problem
 from hophoop.prove.models import padded
 from hophoop.prove.motion import Body, Run
-from hophoop.prove.numbers import BITS_A_DIGIT, Unclear, arb, arb_series, ball, flint, precision, raw, setting
+from hophoop.prove.numbers import BITS_A_DIGIT, Unclear, arb, arb_series, ball, flint, precision, rational, raw, setting
 from hophoop.prove.roots import Function
 from hophoop.prove.solver import REVOLUTION, Enclosure, check_digits, enclosure, prove_problem
 from hophoop.scenario import InputError, Scenario, Start
@@ -188,7 +188,7 @@ def hop_border(scenario: Scenario, digits: int) -> Any:
     while high - low > low / 10 ** (digits + 2):
         middle = (low + high) / 2
         low, high = (low, middle) if hops(middle, high - low) else (middle, high)
-    return arb(flint.fmpq(low.numerator, low.denominator)).union(arb(flint.fmpq(high.numerator, high.denominator)))
+    return raw(rational(low)).union(raw(rational(high)))
 
 
 def thresholds(scenario: Scenario, digits: int = 30, keys: Collection[str] | None = None) -> list[ProvedNumber]:
