@@ -66,15 +66,13 @@ class Plan(NamedTuple):
             "hophoop": __version__,
             "tolerance": RESOLVED,
             "scenario": self.base.to_dict(),
-            "axes": {path: _json(values) for path, values in self.axes.items()},
+            # JSON has no infinity; NumPy reads the word back as a number
+            "axes": {
+                path: ["inf" if value == np.inf else value for value in values.tolist()] for path, values in self.axes.items()
+            },
             "quantities": [quantity.name for quantity in self.quantities],
             "span": self.span.name,
         }
-
-
-def _json(values: NDArray[Any]) -> list[Any]:
-    # JSON has no infinity; NumPy reads the word back as a number
-    return ["inf" if value == np.inf else value for value in values.tolist()]
 
 
 def make_plan(

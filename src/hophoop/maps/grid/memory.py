@@ -14,16 +14,11 @@ from hophoop.scenario import InputError
 WORKING = 200e6
 
 
-def free_memory() -> float:
-    """Return the memory that is free or that the system can free without swapping [bytes]."""
-    return float(need("psutil", "maps").virtual_memory().available)
-
-
 def check_memory(shape: Sequence[int], kinds: Iterable[str], advice: str) -> None:
     """Refuse a map that does not fit into memory; `kinds` are the types of its arrays, `advice` the alternatives."""
     motions = math.prod(int(count) for count in shape)
     needed = motions * sum(np.dtype(kind).itemsize for kind in kinds) + WORKING
-    free = free_memory()
+    free = need("psutil", "maps").virtual_memory().available  # also what the system can free without swapping
     if needed > free:
         raise InputError(
             f"axes make {motions:,} motions, which need {needed / 1e9:,.1f} GB of memory where {free / 1e9:,.1f} GB "

@@ -111,9 +111,13 @@ def _compare(path: Path, plan: Plan) -> None:
 def _create(path: Path, plan: Plan) -> None:
     path = path.resolve()  # a link to a folder that is not there yet stays
     with temporary(path.with_name(f".{os.urandom(6).hex()}.{path.name}")) as fresh:
-        need("zarr", "maps").create_group(str(fresh), attributes=_provenance(plan))
+        zarr = need("zarr", "maps")
+        zarr.create_group(str(fresh), attributes=_provenance(plan))
         for name, values in plan.axes.items():
-            _write_axis(fresh, name, values)
+            data, said = coordinate(name, values)
+            zarr.create_array(
+                str(fresh / name), data=data, chunks=data.shape, dimension_names=[name], attributes=said, config=ALL_CHUNKS
+            )
         (fresh / UNFINISHED).mkdir()
         for quantity in plan.quantities:
             _create_array(_folder(fresh, quantity.name), plan, quantity, packed=quantity.name == SEQUENCE)
@@ -123,13 +127,6 @@ def _create(path: Path, plan: Plan) -> None:
             # another process may have just created it
             if not (path / UNFINISHED).exists():
                 raise
-
-
-def _write_axis(path: Path, name: str, values: NDArray[Any]) -> None:
-    data, said = coordinate(name, values)
-    need("zarr", "maps").create_array(
-        str(path / name), data=data, chunks=data.shape, dimension_names=[name], attributes=said, config=ALL_CHUNKS
-    )
 
 
 def _create_array(folder: Path, plan: Plan, quantity: Quantity, packed: bool = False) -> Any:
