@@ -10,7 +10,7 @@ import numpy as np
 
 from hophoop._support import tables
 from hophoop.results.event_table import TITLES, WORDS, cells
-from hophoop.results.poses import Floats, Poses, poses_of, to_world
+from hophoop.results.poses import Floats, Poses, event_times, poses_of, to_world
 from hophoop.results.records import Motion
 from hophoop.scenario import describe
 from hophoop.vocabulary import colors
@@ -73,7 +73,7 @@ def picture(motion: Motion) -> str:
     svg : str
     """
     radius, slope = motion.scenario.hoop.radius, motion.scenario.plane.slope
-    marks = np.unique(np.clip([event.t for event in motion.events], 0.0, motion.duration))
+    marks = event_times(motion)
     way = poses_of(motion, np.union1d(motion.times(POINTS), marks))
     low, high = way.center.min(axis=0) - radius, way.center.max(axis=0) + radius
     scale = min((WIDTH - 2.0 * EDGE) / (high[0] - low[0]), (HIGHEST - 2.0 * EDGE) / (high[1] - low[1]))

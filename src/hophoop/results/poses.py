@@ -198,8 +198,7 @@ def event_times(motion: Motion) -> Floats:
     t : ndarray
         In order [s].
     """
-    end = motion.duration
-    return np.unique(np.clip([event.t for event in motion.events], 0.0, end))
+    return np.unique(np.clip([event.t for event in motion.events], 0.0, motion.duration))
 
 
 def turned_at(motion: Motion, times: ArrayLike) -> Floats:

@@ -199,17 +199,10 @@ def margins(body: Body, units: Units, mode: int, row: np.void, before: bool = Fa
     theta, low, omega, slip, height = (
         float(row[each]) for each in ("theta", "theta_low", f"{name}omega", f"{name}slip", "height")
     )
-    named = dict(zip(MARGINS, margins_of(body, mode, theta, low, omega, slip, height), strict=True))
     force = units.of("normal_force")
-    return Margins(
-        normal_force=named["normal_force"] * force,
-        friction_force=named["friction_force"] * force,
-        friction_limit=named["friction_limit"] * force,
-        free_acceleration=named["free_acceleration"] * units.scales.acceleration,
-        slip=named["slip"] * units.of("slip"),
-        height=named["height"] * units.length,
-        p_sigma=named["p_sigma"],
-    )
+    factors = (force, force, force, units.scales.acceleration, units.of("slip"), units.length, 1.0)
+    found = zip(MARGINS, margins_of(body, mode, theta, low, omega, slip, height), factors, strict=True)
+    return Margins(**{name: value * factor for name, value, factor in found})
 
 
 def _ended_by(
