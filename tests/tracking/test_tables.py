@@ -272,6 +272,7 @@ def test_axes_of_an_accelerometer_are_no_places(tmp_path, ask):
         "t;x (cm);y (cm);phi [rad]",
         "t;x (cm);y (cm);ángulo (rad)",
         "t;x (cm);y (cm);ϕ / rad",
+        "Zeit;Nabe;;Winkel\ns;x in cm;y in cm;rad",
     ],
 )
 def test_heads_of_school_books(tmp_path, head):

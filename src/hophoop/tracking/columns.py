@@ -177,8 +177,9 @@ def heads(above: list[list[str]]) -> list[Column]:
     points = [""] * len(names)
     for row in reversed(rows):
         words = [next(filter(None, row[k::-1]), "") for k in range(len(names))]
-        # words above the times are a title, unless they tell equal heads apart
-        if row[0] and (len(set(zip(points, names, strict=True))) == len(names) or len(set(words)) < 2):
+        # words above the times are a title, unless they tell equal heads apart or are above units
+        alike = len(set(zip(points, names, strict=True))) < len(names) or any(map(_is_unit, names))
+        if row[0] and (not alike or len(set(words)) < 2):
             break
         points = [f"{word} {point}".strip() for word, point in zip(words, points, strict=True)]
     found = [_head(k, *cells) for k, cells in enumerate(zip_longest(names, points, below[: len(names)], fillvalue=""), 1)]
@@ -189,8 +190,8 @@ def heads(above: list[list[str]]) -> list[Column]:
 def _head(number: int, name: str, point: str, below: str) -> Column:
     """Return a column with the meaning of its name; below: the unit in a row of its own."""
     head, group = f"{point} {name}".strip(), ""
-    if not name:  # it is in the row of points
-        name, point = point, ""
+    if not name or _is_unit(name):  # it is in the row of points
+        name, point = head, ""
     for pattern in HEADS:
         if found := re.fullmatch(pattern, name, re.IGNORECASE):
             parts = found.groupdict()
