@@ -32,6 +32,7 @@ LEGEND = (
     "θ, each with its better settings at 1 ms.",
 )
 OURS = ("hophoop", "compliant", "scipy")  # no engines
+LEAST_RATE = 500  # states per second; at 240 the exact motion itself loses short bounces
 
 
 class Scored(NamedTuple):
@@ -76,7 +77,9 @@ def lines_of(found: Sequence[Scored]) -> list[str]:
     ]
     missing = [name for name in scored() if name not in {one.scenario for one in found}]
     absent = f"; no record of {', '.join(missing)}" if missing else ""
-    return [*lines, *LEGEND, f"{count_right(found)} of {len(scored())} right{absent}"]
+    sparse = ", ".join(one.scenario for one in found if len(one.record.states.t) < LEAST_RATE * one.record.states.t[-1])
+    doubt = [f"Fewer than {LEAST_RATE} states per second, too few to be sure of phases: {sparse}"] if sparse else []
+    return [*lines, *LEGEND, *doubt, f"{count_right(found)} of {len(scored())} right{absent}"]
 
 
 def neighbours(scenario: str, error: float) -> tuple[str, str]:

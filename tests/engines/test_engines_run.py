@@ -159,6 +159,10 @@ def test_a_record_of_one_motion(tmp_path, capsys):
     said = capsys.readouterr().out
     assert "RKRSHR ✓" in said
     assert "1 of 7 right; no record of rolling, slip, " in said
+    assert "Fewer than" not in said
+    Path(hop).write_text(record_text(Record(exact(HOP.task, 1 / 240))), encoding="utf-8")
+    score.main([hop])
+    assert "sure of phases: hop\n" in capsys.readouterr().out
     score.main([hop, "--json"])
     document = json.loads(capsys.readouterr().out)
     assert (document["right"], document["of"]) == (1, len(scored()))
