@@ -100,9 +100,8 @@ def test_a_pair_next_to_its_fold_is_found():
     assert [gait.stable for gait in pair] == [True, False]
 
 
-def test_digits_are_those_of_the_section_at_pi(usual, monkeypatch):
+def test_digits_are_those_of_the_section_at_pi(usual):
     """Not of the double next to π, which is 1.2e-16 before it; `hophoop prove` encloses the same point."""
-    monkeypatch.setattr("hophoop.gaits.digits.LEVELS", 2)  # of differences, for time
     precise = usual.digits(18)
     assert abs(precise.state["omega"] - Decimal("2.77150688780492032575576155430")) < Decimal("1e-17")
     assert float(precise.multiplier) == pytest.approx(usual.multipliers[0], rel=1e-9)

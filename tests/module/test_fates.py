@@ -6,7 +6,7 @@ from collections import Counter
 import pytest
 
 import hophoop as hh
-from hophoop.gaits.computing import FOREVER, PANELS, judged
+from hophoop.gaits.computing import judged
 from hophoop.gaits.kernels.layout import BOTTOM, CODES, Request
 from hophoop.lab.wasm.layout import FATE_COLUMNS
 from hophoop.lab.wasm.stamp import FATES
@@ -20,7 +20,7 @@ SEED = 20261126
 
 def assert_same(scenario, found):
     """Fate, period, hops and all numbers are those of the library."""
-    codes, numbers = judged(cell_of(scenario).reshape(-1, 1).copy(), Request(BOTTOM, MOST, FOREVER, PANELS, True))
+    codes, numbers = judged(cell_of(scenario).reshape(-1, 1).copy(), Request(BOTTOM, MOST, True))
     code, *others = codes[0]
     assert found["fate"] == identifier(FATE_CODES[code]), scenario.to_query()
     assert [found[name] for name in CODES[1:]] == others, scenario.to_query()

@@ -4,7 +4,7 @@ from hophoop.gaits.branch import Branch, Special
 from hophoop.gaits.computing import Judgement, fates, passages
 from hophoop.gaits.diagram import Attractor, Diagram, diagram
 from hophoop.gaits.gait import Gait
-from hophoop.gaits.maps import SectionDerivative, derivative
+from hophoop.gaits.points import SectionDerivative, derivative
 from hophoop.gaits.results import Lyapunov, Passages
 from hophoop.gaits.return_map import MapEnd, MapPiece, ReturnMap, return_map
 from hophoop.gaits.search import find

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -10,11 +9,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop._support.extras import need
-from hophoop.gaits.computing import passages
-from hophoop.gaits.differences import Floats
 from hophoop.gaits.gait import Gait
-from hophoop.gaits.maps import Image, SectionMap, eigenvalues
+from hophoop.gaits.points import Point
+from hophoop.gaits.results import dataset
 from hophoop.scenario.paths import parameter
 
 if TYPE_CHECKING:
@@ -60,95 +57,6 @@ class Special(NamedTuple):
         event = f" ({self.event})" if self.event else ""
         factors = " to ".join(f"{one:.6g}" for one in self.multipliers)
         return f"<{self.kind}{event} at {self.path} = {self.parameter:.12g}, multiplier {factors}>"
-
-
-@dataclass(frozen=True, eq=False)
-class Point:
-    """A gait of a branch.
-
-    Attributes
-    ----------
-    map : SectionMap
-    place : ndarray
-        Coordinates and scaled parameter.
-    image : Image
-        Of the place.
-    """
-
-    map: SectionMap
-    place: Floats
-    image: Image
-
-    @cached_property
-    def rates(self) -> Floats:
-        """Derivative of the map by the place."""
-        return self.map.rates(self.image, self.place)
-
-    @cached_property
-    def exact_rates(self) -> Floats:
-        """The same from wider differences."""
-        return self.map.rates(self.image, self.place, exact=True)
-
-    @property
-    def exact_multiplier(self) -> float:
-        """The multiplier from them, of a complex pair its real part [1]."""
-        return float(eigenvalues(self.exact_rates[:, :-1])[0].real)
-
-    @property
-    def known(self) -> bool:
-        """Whether the derivative exists."""
-        return bool(np.isfinite(self.rates).all())
-
-    @cached_property
-    def multiplier(self) -> complex:
-        """The eigenvalue of the largest modulus [1]."""
-        return complex(eigenvalues(self.rates[:, :-1])[0])
-
-    @property
-    def omega(self) -> float:
-        """θ̇ at the section [rad/s]."""
-        return self.map.omega(self.place)
-
-    @property
-    def parameter(self) -> float:
-        """The parameter [SI]."""
-        return float(self.place[-1]) * self.map.scale
-
-    @property
-    def gait(self) -> Gait:
-        """The gait."""
-        return Gait(passages(self.map.at(self.place), self.map.period, section=self.map.section))
-
-    @cached_property
-    def tangent(self) -> Floats:
-        """Unit vector along the branch."""
-        found: Floats = np.linalg.svd(self.rates - np.eye(*self.rates.shape))[2][-1]
-        return found
-
-    @property
-    def apart(self) -> float:
-        """Difference of the state from that after a part of the period."""
-        return self.map.apart(self.image, self.place)
-
-    def off(self, critical: float, *, exact: bool = False) -> float:
-        """Return det(derivative − critical), which is 0 where a multiplier has this value; nan without a derivative."""
-        if not self.known:
-            return math.nan
-        rates = self.exact_rates if exact else self.rates
-        return float(np.linalg.det(rates[:, :-1] - critical * np.eye(len(rates))))
-
-    def near(self, guess: Floats, normal: Floats) -> Point | None:
-        """Return the gait near a guess, on the plane through it with a normal."""
-        found = self.map.solve(guess, normal, self.rates if self.known else None)
-        return None if found is None else Point(self.map, *found)
-
-    def ahead(self, way: Floats, step: float) -> Point | None:
-        """Return the gait a step further along a direction."""
-        return self.near(self.place + step * way, way)
-
-    def distance(self, other: Point) -> float:
-        """Return the distance of another point in θ̇ and the parameter, which all modes have."""
-        return math.hypot((other.omega - self.omega) / self.map.unit, other.place[-1] - self.place[-1])
 
 
 @dataclass(frozen=True)
@@ -252,7 +160,6 @@ class Branch:
         ImportError
             If xarray is missing.
         """
-        xr = need("xarray", "maps")
         about = parameter(self.path)
         columns = (
             ("parameter", self.parameter, about.unit or "1", about.description),
@@ -260,9 +167,7 @@ class Branch:
             ("multiplier", self.multiplier, "1", "Multiplier of the period"),
             ("sequence", np.array(self.sequences), "1", "Phases of a period"),
         )
-        variables = {name: ("point", values, {"units": unit, "long_name": told}) for name, values, unit, told in columns}
-        dataset: xarray.Dataset = xr.Dataset(variables, attrs={"path": self.path, "period": self.period})
-        return dataset
+        return dataset(columns, ("point",), {"path": self.path, "period": self.period})
 
     def __repr__(self) -> str:
         kinds = ", ".join(one.kind for one in self.special)

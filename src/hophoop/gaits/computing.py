@@ -20,8 +20,6 @@ from hophoop.scenario import InputError, Scenario, cell_of
 from hophoop.vocabulary.names import FATE_CODES, Fate
 
 MOST = 10_000_000  # passages
-FOREVER = 1e9  # √(R/g): a motion that takes longer from passage to passage is given up
-PANELS = 20_000  # the most between two passages
 PATIENCE = 2_000  # passages of the bottom of a motion that lands no more
 
 
@@ -90,11 +88,11 @@ def passages(scenario: Scenario, count: int = 1000, *, section: str = "bottom", 
     buffers = new_buffers(max(count, 3))
     cell = cell_of(scenario)
     begin = start_of(cell, second_of(cell))
-    request = Request(SECTIONS.index(section), count, FOREVER, PANELS, until_decided)
+    request = Request(SECTIONS.index(section), count, until_decided)
     body, mode, scratch = scenario.to_body(), mode_of(cell), new_scratch()
     status, found, fate, period = compiled(follow_passages)(body, begin, mode, request, buffers, scratch)
     if lands_no_more(request.section, status, fate):
-        bottom = Request(SECTIONS.index("bottom"), PATIENCE, FOREVER, PANELS, True)
+        bottom = Request(SECTIONS.index("bottom"), PATIENCE, True)
         fate = compiled(follow_passages)(body, begin, mode, bottom, new_buffers(PATIENCE), scratch)[2]
     name = "going" if status < 0 else Status(status).name.lower()
     return Passages(scenario, section, buffers.numbers[:found], buffers.words[:found], name, FATE_CODES[fate], period)
@@ -133,8 +131,8 @@ def fates(scenarios: Sequence[Scenario], count: int = 2000, *, section: str = "b
         raise InputError.of_field("scenarios", scenarios, "at least one scenario")
     for scenario in scenarios:
         check(scenario, section)
-    cells = np.array([cell_of(scenario) for scenario in scenarios], float).reshape(len(scenarios), -1).T
-    codes, _ = judged(np.ascontiguousarray(cells), Request(SECTIONS.index(section), count, FOREVER, PANELS, True))
+    cells = np.array([cell_of(scenario) for scenario in scenarios], float).T
+    codes, _ = judged(cells, Request(SECTIONS.index(section), count, True))
     decided, periods, hops, followed, _, turns = codes.T  # as CODES
     return Judgement(tuple(FATE_CODES[code] for code in decided), periods, hops, turns, followed)
 
@@ -146,7 +144,7 @@ def judged(cells: NDArray[np.float64], request: Request) -> tuple[NDArray[np.int
     """
     count = cells.shape[1]
     codes, numbers = np.zeros((count, len(CODES)), np.int64), np.empty((count, len(NUMBERS)))
-    compiled(judge_cells)(cells, request, codes, numbers)
+    compiled(judge_cells)(np.ascontiguousarray(cells), request, codes, numbers)
     return codes, numbers
 
 

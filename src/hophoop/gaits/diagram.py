@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop._support.errors import check_whole
-from hophoop._support.extras import need
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.maps import FASTEST, slowest_over_top
-from hophoop.gaits.results import ENOUGH, Passages
+from hophoop.gaits.results import ENOUGH, Passages, dataset
 from hophoop.results.units import Units
 from hophoop.scenario import InputError, Scenario, Start
 from hophoop.vocabulary.names import FATES, Fate
@@ -23,7 +22,8 @@ if TYPE_CHECKING:
     import xarray
 
 Floats = NDArray[np.float64]
-STARTS, PASSAGES, KEPT = 5, 1_500, 150
+STARTS, PASSAGES = 5, 1_500
+KEPT, JUDGED = 150, 650  # last passages whose θ̇ are kept, and those of a Lyapunov exponent
 MOST_VALUES, MOST_STARTS, MOST_PASSAGES = 100_000, 1_000, 1_000_000
 SAME_GAIT = 1e-6  # relative difference of mean speeds within which two gaits are one
 SAME_CHAOS = 0.05  # the same of two irregular motions
@@ -101,24 +101,21 @@ class Diagram:
         ImportError
             If xarray is missing.
         """
-        xr = need("xarray", "maps")
         most = max(len(found) for found in self.attractors)
         kept = max(len(one.omega) for found in self.attractors for one in found)
         rows = [(*found, *[MISSING] * (most - len(found))) for found in self.attractors]
         axes = (self.path, "attractor")
-        variables: dict[str, Any] = {
-            name: (axes, [[getattr(one, name) for one in row] for row in rows], {"units": unit, "long_name": meaning})
-            for name, unit, meaning in _VARIABLES
-        }
+        columns = [
+            (name, [[getattr(one, name) for one in row] for row in rows], unit, meaning) for name, unit, meaning in _VARIABLES
+        ]
         omega = [[np.pad(one.omega, (0, kept - len(one.omega)), constant_values=math.nan) for one in row] for row in rows]
         about = {"units": "rad/s", "long_name": "Angular velocity at the passages"}
-        variables["omega"] = ((*axes, "passage"), omega, about)
         attributes = {
             "Conventions": "CF-1.11", "title": "Attractors of a loaded hoop", "section": self.section,
             "complete": int(self.complete), "scenario": self.scenario.to_query(),
         }  # fmt: skip
-        dataset: xarray.Dataset = xr.Dataset(variables, {self.path: self.values}, attributes)
-        return dataset
+        found = dataset(columns, axes, attributes).assign_coords({self.path: self.values})
+        return found.assign(omega=((*axes, "passage"), omega, about))
 
     def to_csv(self) -> str:
         """Return a table with one row per value and attractor.
@@ -230,7 +227,7 @@ def _check(places: Floats, starts: int | Sequence[float], count: int) -> None:
     number = starts if isinstance(starts, int) else len(starts)
     if isinstance(starts, bool) or not 1 <= number <= MOST_STARTS:
         raise InputError.of_field("starts", starts, f"1 to {MOST_STARTS} starts")
-    check_whole("passages", count, ENOUGH + KEPT, MOST_PASSAGES)
+    check_whole("passages", count, JUDGED, MOST_PASSAGES)
 
 
 def _starts(scenario: Scenario, starts: int | Sequence[float]) -> list[Start]:
@@ -259,7 +256,8 @@ def _settle(scenario: Scenario, starts: list[Start], known: list[Attractor], cou
             known[place] = known[place]._replace(starts=known[place].starts + 1)
             continue
         if seen.fate == Fate.UNDECIDED and len(found) >= ENOUGH:
-            seen = _judged(seen, found)
+            last = replace(found, numbers=found.numbers[-JUDGED:], packed=found.packed[-JUDGED:])
+            seen = seen._replace(fate=last.fate, lyapunov=last.lyapunov.value)
         known.append(seen)
         if len(found) and seen.fate in (Fate.GAIT, Fate.CHAOTIC, Fate.UNDECIDED):
             ends.append(_normal(found.start(-1)))
@@ -274,24 +272,14 @@ def _normal(start: Start) -> Start:
 
 def _described(found: Passages, section: str) -> Attractor:
     """Return the attractor of a motion, without its Lyapunov exponent, and without θ̇ at another section."""
-    fate, period = found.decided, found.period
-    if fate == Fate.GAIT:
-        back, kept = period, period
-    elif fate == Fate.UNDECIDED and len(found) > 2 * KEPT:
-        back, kept = len(found) - 1 - len(found) // 2, KEPT
-    else:
+    fate, period, count = found.decided, found.period, len(found)
+    if not period and not (fate == Fate.UNDECIDED and count > 2 * KEPT):
         return Attractor(fate)
-    speed = float(found.x[-1] - found.x[-1 - back]) / float(found.t[-1] - found.t[-1 - back])
-    omega = found.omega[-kept:].copy() if found.section == section else np.empty(0)
-    sequence = "·".join(found.sequences[-period:]) if period else ""
-    return Attractor(fate, period, int(found.hops[len(found) - period :].sum()), sequence, speed, omega=omega)
-
-
-def _judged(seen: Attractor, found: Passages) -> Attractor:
-    """Return an undecided attractor with its Lyapunov exponent, which may make it chaotic."""
-    last = found.scenario.replace("start", _normal(found.start(-1)))
-    exponent = passages(last, ENOUGH + KEPT, section=found.section).lyapunov
-    return seen._replace(fate=Fate.CHAOTIC if exponent.is_chaotic else Fate.UNDECIDED, lyapunov=exponent.value)
+    before = count - 1 - (period or (count - 1) // 2)
+    speed = float(found.x[-1] - found.x[before]) / float(found.t[-1] - found.t[before])
+    omega = found.omega[-(period or KEPT) :].copy() if found.section == section else np.empty(0)
+    hops, sequence = found.hops[count - period :].sum(), "·".join(found.sequences[count - period :])
+    return Attractor(fate, period, int(hops), sequence, speed, omega=omega)
 
 
 def _same(one: Attractor, other: Attractor) -> bool:

@@ -30,7 +30,6 @@ State = NDArray[Any]  # decimals, in the order of the coordinates
 
 LEAST, MOST = 16, 40  # digits
 SPARE = 10  # digits computed beyond
-LEVELS, WIDEST = 4, 2**-14  # of differences for the multiplier, and the first step relative to θ̇
 STEPS = 8  # of Newton's method
 
 
@@ -43,9 +42,9 @@ class PreciseGait(NamedTuple):
         The coordinates on the section that repeat themselves, in SI units; the others are those of the gait's start, with the
         load exactly at the bottom in that section.
     multiplier : Decimal or None
-        By extrapolated differences of motions on both sides; None where the section has several coordinates [1].
+        By differences of motions on both sides; None where the section has several coordinates [1].
     multiplier_error : Decimal or None
-        Change by the last extrapolation [1].
+        Change by a difference twice as wide [1].
     sequence : str
         Phases of the period, as in `Gait`.
     """
@@ -66,7 +65,7 @@ def precise_gait(gait: Gait, digits: int) -> PreciseGait:
     check_digits(digits)
     names = coordinates(gait.section, gait.passages.mode[-1])
     with localcontext() as context:
-        context.prec = digits + 2 * SPARE
+        context.prec = 2 * (digits + SPARE)
         state = _solved(gait, names, digits)
         multiplier, error = _multiplier(gait, names, state, digits) if len(names) == 1 else (None, None)
         context.prec = digits
@@ -87,17 +86,13 @@ def _solved(gait: Gait, names: tuple[str, ...], digits: int) -> State:
 
 
 def _multiplier(gait: Gait, names: tuple[str, ...], state: State, digits: int) -> tuple[Decimal, Decimal]:
-    """Return the derivative by Richardson's extrapolation of central differences, and its last change."""
-    table: list[list[Decimal]] = []
-    for level in range(LEVELS):
-        step = state * Decimal(WIDEST) / 2**level
-        (change,), (width,) = _image(gait, names, state + step, digits) - _image(gait, names, state - step, digits), 2 * step
-        row = [change / width]
-        for k, before in enumerate(table[-1] if table else []):
-            factor = 4 ** (k + 1)
-            row.append((factor * row[k] - before) / (factor - 1))
-        table.append(row)
-    return table[-1][-1], abs(table[-1][-1] - table[-2][-1])
+    """Return the derivative by a central difference with half as many digits more, and its change by one twice as wide."""
+    step, more = state * Decimal(10) ** -(digits // 2 + 1), digits + digits // 2 - SPARE
+    narrow, wide = (
+        (_image(gait, names, state + width, more) - _image(gait, names, state - width, more)) / (2 * width)
+        for width in (step, 2 * step)
+    )
+    return narrow[0], abs(wide[0] - narrow[0])
 
 
 def _image(gait: Gait, names: tuple[str, ...], state: State, digits: int) -> State:

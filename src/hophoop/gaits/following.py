@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from itertools import product
+from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
-from hophoop.gaits.branch import BORDER, DOUBLING, END, FOLD, JOINS, LIMIT, TOP, Branch, Point, Special
+from hophoop.gaits.branch import BORDER, DOUBLING, END, FOLD, JOINS, LIMIT, TOP, Branch, Special
 from hophoop.gaits.differences import Floats, last_kept
 from hophoop.gaits.gait import Gait
 from hophoop.gaits.kernels.layout import BRANCHES, MODE
-from hophoop.gaits.maps import Image, SectionMap, place_of, value_of
+from hophoop.gaits.maps import SectionMap, place_of, value_of
+from hophoop.gaits.points import Point
 from hophoop.kernel.model import MODE_LETTERS
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
@@ -40,16 +42,15 @@ def follow(gait: Gait, path: str, bounds: tuple[float, float], progress: Progres
     scale = TENTH * (high - low)
     image_of = SectionMap(gait.scenario, gait.period, gait.section, gait.passages.mode[-1], path, scale)
     place = image_of.point(gait.scenario.start, value)
-    found = image_of.solve(place, np.eye(len(place))[-1])
-    first = None if found is None else Point(image_of, *found)
+    first = Point(image_of, place).solve(np.eye(len(place))[-1])
     if first is None or not first.known:
         raise InputError.of_field("path", path, "a parameter whose derivative exists at this gait")
     rising = math.copysign(1.0, first.tangent[-1]) * first.tangent
-    back, ahead = (Follower(first, (low / scale, high / scale), turned=turned) for turned in (True, False))
+    back, ahead = (Follower(first, (low / scale, high / scale), sign) for sign in (-1, 1))
     complete = True
     try:
         for k, half in enumerate((back, ahead)):
-            half.run(-rising if half.turned else rising)
+            half.run(half.sign * rising)
             if progress is not None:
                 progress(0.5 * (k + 1))
     except KeyboardInterrupt:
@@ -75,10 +76,10 @@ def range_of(scenario: Scenario, path: str, bounds: tuple[float, float]) -> tupl
 
 
 class Follower:
-    """The points of one direction along a branch; `turned` if it is the one that a branch ends with in reverse."""
+    """The points of one direction along a branch; with a sign of −1 the one that the branch begins with, in reverse."""
 
-    def __init__(self, first: Point, bounds: tuple[float, float], *, turned: bool) -> None:
-        self.bounds, self.turned = bounds, turned
+    def __init__(self, first: Point, bounds: tuple[float, float], sign: int) -> None:
+        self.bounds, self.sign = bounds, sign
         self.points = [first]
         self.special: list[Special] = []
 
@@ -87,19 +88,9 @@ class Follower:
         step = LONGEST_STEP
         while len(self.points) < MOST_POINTS:
             here = self.points[-1]
-            ahead = here.ahead(way, step)
-            if ahead is not None:
-                ahead = self.within_range(here, ahead)
-            if ahead is not None and (here.distance(ahead) > 2.0 * step or not ahead.known):
-                ahead = None
-            if ahead is not None and ahead.apart < JOINED < here.apart:
-                last = furthest(here, way, step, JOINED)
-                self.between(here, last)
-                self.add(JOINS, last)
-                return
-            if ahead is not None and ahead.image.key == here.image.key:
-                self.between(here, ahead)
-                self.points.append(ahead)
+            ahead = self.ahead(way, step)
+            if ahead is not None and on_one_piece(here, ahead):
+                self.append(ahead)
                 if self.is_limit(ahead):
                     self.add(LIMIT, ahead)
                     return
@@ -109,6 +100,10 @@ class Follower:
                 step *= 0.5
             else:
                 last = furthest(here, way, 4.0 * step if ahead is None else step)
+                if ahead is not None and ahead.apart < JOINED < here.apart:
+                    self.append(last)
+                    self.add(JOINS, last)
+                    return
                 beyond = self.cross(last, way)
                 if beyond is not None:
                     way, step = beyond, LONGEST_STEP / 8.0
@@ -118,88 +113,92 @@ class Follower:
                     self.end(last if last.known else here, way)
                     return
 
+    def ahead(self, way: Floats, step: float) -> Point | None:
+        """Return the gait a step further, at most at the limit of the range; None without one as near."""
+        here = self.points[-1]
+        found = here.ahead(way, step)
+        if found is None:
+            return None
+        limit = np.clip(found.place[-1], *self.bounds)
+        if limit != found.place[-1]:
+            share = (limit - here.place[-1]) / (found.place[-1] - here.place[-1])
+            found = here.near(here.place + share * (found.place - here.place), np.eye(len(here.place))[-1])
+        return found if found is not None and found.known and distance(here, found) <= 2.0 * step else None
+
     def cross(self, last: Point, way: Floats) -> Floats | None:
         """Add the border that a piece ends at and a gait beyond it; return the direction there, or None if nothing goes on."""
         for new in gaits_beside(last, way):
-            reach = 2.0 * last.distance(new) + NEXT
+            reach = 2.0 * distance(last, new) + NEXT
             for tangent in (new.tangent, -new.tangent):
                 beyond = on_piece(new, tangent, reach)
                 if beyond is not None and on_piece(new, -tangent, reach) is None:
-                    self.between(self.points[-1], last)
+                    self.append(last)
                     self.add_border(last, new)
                     self.points.append(beyond)
                     return tangent
         return None
 
-    def between(self, here: Point, ahead: Point) -> None:
-        """Add the fold and the period doubling between two points."""
+    def append(self, point: Point) -> None:
+        """Add a point of the branch, after the fold and the period doubling on the way to it."""
+        here = self.points[-1]
         for kind, critical in ((FOLD, 1.0), (DOUBLING, -1.0)):
-            if here.off(critical) * ahead.off(critical) < 0.0:
-                found = between(here, ahead, critical)
+            if here.determinant(critical) * point.determinant(critical) < 0.0:
+                found = between(here, point, critical)
                 if found is not None:
                     self.add(kind, found, factors=(critical,))
+        if point is not here:
+            self.points.append(point)
 
     def add_border(self, last: Point, first: Point) -> None:
         """Add the border between the ends of two pieces, unless only the branch of an impact changes, and no multiplier."""
-        factors = last.exact_multiplier, first.exact_multiplier
-        words = last.image.sequence, first.image.sequence
-        event = boundary(last.image, first.image, last.map.section)
-        if self.turned:
-            words, factors = words[::-1], factors[::-1]
+        ends = (last, first)[:: self.sign]
+        words = [end.image.sequence for end in ends]
+        factors = tuple(float(end.multipliers(exact=True)[0].real) for end in ends)
         if words[0] != words[1] or abs(factors[1] - factors[0]) > SAME:
-            self.add(BORDER, last, f"{event}: {words[0]} | {words[1]}", factors)
+            self.add(BORDER, last, f"{boundary(last, first)}: {words[0]} | {words[1]}", factors)
 
     def is_limit(self, point: Point) -> bool:
         """Return True if a point is at a limit of the range."""
         return min(abs(float(point.place[-1]) - bound) for bound in self.bounds) < AT_LIMIT
 
-    def within_range(self, here: Point, ahead: Point) -> Point | None:
-        """Return a point ahead, or instead of one beyond the range the one at its limit."""
-        limit = min(max(float(ahead.place[-1]), self.bounds[0]), self.bounds[1])
-        if limit == ahead.place[-1]:
-            return ahead
-        share = (limit - here.place[-1]) / (ahead.place[-1] - here.place[-1])
-        return here.near(here.place + share * (ahead.place - here.place), np.eye(len(here.place))[-1])
-
     def end(self, last: Point, way: Floats) -> None:
         """Add the end of a branch: the limit of the range, the top of the hill, or that of a piece."""
-        if self.is_limit(last):
-            self.add(LIMIT, last)  # a value beyond may not be allowed at all, such as a restitution below 0
-            return
+        kind, event = END, ""
         motion = last.gait.motion()
-        slowest = np.abs(motion.at(np.linspace(0.0, motion.duration, SAMPLES)).omega).min() / last.map.unit
-        if slowest < NEAR_TOP:
-            self.add(TOP, last)
-            return
-        images = (last.map(place) for place in places_beside(last, way))
-        beyond = next((image for image in images if len(image.rows) and image.key != last.image.key), None)
-        self.add(END, last, "" if beyond is None else boundary(last.image, beyond, last.map.section))
+        if self.is_limit(last):
+            kind = LIMIT  # a value beyond may not be allowed at all, such as a restitution below 0
+        elif np.abs(motion.at(np.linspace(0.0, motion.duration, SAMPLES)).omega).min() < NEAR_TOP * last.map.unit:
+            kind = TOP
+        else:
+            event = next((boundary(last, other) for gap in BESIDE for other in last.beside(gap, way)), "")
+        self.append(last)
+        self.add(kind, last, event)
 
     def add(self, kind: str, point: Point, event: str = "", factors: tuple[float, ...] = ()) -> None:
-        """Add a special point; other than folds and doublings it is a point of the branch, too."""
-        if kind not in (FOLD, DOUBLING) and point is not self.points[-1]:
-            self.points.append(point)
+        """Add a special point."""
         factors = factors or (point.multiplier.real,)
         self.special.append(Special(kind, event, point.map.path, point.parameter, point.omega, factors, point.gait))
 
 
-def furthest(here: Point, way: Floats, step: float, apart: float = 0.0) -> Point:
-    """Return the last point along a direction on the piece of one.
+def distance(one: Point, other: Point) -> float:
+    """Return the distance of two points in θ̇ and the parameter, which all modes have."""
+    return math.hypot((other.omega - one.omega) / one.map.unit, other.place[-1] - one.place[-1])
 
-    apart: what must remain between the state and that after a part of the period.
-    """
 
-    def kept(length: float) -> Point | None:
-        tried = on_piece(here, way, length)
-        return tried if tried is not None and tried.apart > apart else None
-
-    return last_kept(here, 0.0, step, kept, NEAREST)
+def on_one_piece(one: Point, other: Point) -> bool:
+    """Return True if two gaits are on one piece of the map, and of a period that is shorter either both or none."""
+    return one.image.key == other.image.key and (one.apart > JOINED) == (other.apart > JOINED)
 
 
 def on_piece(here: Point, way: Floats, step: float) -> Point | None:
-    """Return the gait a step further along a direction, if it has the phases of the one here."""
+    """Return the gait a step further along a direction, if it is on the piece of the one here."""
     tried = here.ahead(way, step)
-    return tried if tried is not None and tried.image.key == here.image.key else None
+    return tried if tried is not None and on_one_piece(here, tried) else None
+
+
+def furthest(here: Point, way: Floats, step: float) -> Point:
+    """Return the last gait along a direction on the piece of one."""
+    return last_kept(here, 0.0, step, partial(on_piece, here, way), NEAREST)
 
 
 def between(here: Point, ahead: Point, critical: float) -> Point | None:
@@ -207,53 +206,45 @@ def between(here: Point, ahead: Point, critical: float) -> Point | None:
     way = ahead.place - here.place
     length = float(np.linalg.norm(way))
     way /= length
-    before, now, at_before, at_now = 0.0, length, here.off(critical), ahead.off(critical)
+    before, now, at_before, at_now = 0.0, length, here.determinant(critical), ahead.determinant(critical)
     for _ in range(STEPS):
         before, now, at_before = now, now - at_now * (now - before) / (at_now - at_before), at_now
         found = on_piece(here, way, now)
         if found is None:
             return None
-        at_now = found.off(critical, exact=True)
+        at_now = found.determinant(critical, exact=True)
         if abs(now - before) < KNOWN or at_now == at_before:
             return found
     return None
 
 
-def places_beside(last: Point, way: Floats) -> Iterator[Floats]:
-    """Yield places next to a point, those ahead first."""
-    for distance, shift in product(BESIDE, (way, *np.eye(len(way)), *-np.eye(len(way)))):
-        yield last.place + distance * shift
-
-
 def gaits_beside(last: Point, way: Floats) -> Iterator[Point]:
     """Yield the gaits next to one that are on other pieces of the map, or on that of another mode; those ahead first."""
-    for place in places_beside(last, way):
-        beside = in_its_mode(last.map, place)
-        if beside is None or beside.image.key == last.image.key or not beside.known:
-            continue
-        new = beside.near(beside.place, beside.tangent)
-        if new is not None and new.image.key == beside.image.key and new.known and last.distance(new) < NEXT:
-            yield new
+    for gap in BESIDE:
+        for other in last.beside(gap, way):
+            beside = in_its_mode(other)
+            if not beside.comes_back or not beside.known:
+                continue
+            new = beside.near(beside.place, beside.tangent)
+            if new is not None and on_one_piece(beside, new) and new.known and distance(last, new) < NEXT:
+                yield new
 
 
-def in_its_mode(image_of: SectionMap, place: Floats) -> Point | None:
-    """Return the point at a place, on the map of the mode in which the hoop comes back; None if it does not."""
-    place = image_of.in_mode(place)
-    image = image_of(place)
-    if len(image.rows) == image_of.period and not image_of.comes_back(image):
-        row = image.rows[-1]
-        mode = MODE_LETTERS[int(row[MODE])]
-        image_of = SectionMap(image_of.scenario, image_of.period, image_of.section, mode, image_of.path, image_of.scale)
-        place = np.append(place_of(image_of.section, row), place[-1])
-        image = image_of(place)
-    return Point(image_of, place, image) if image_of.comes_back(image) else None
+def in_its_mode(point: Point) -> Point:
+    """Return a point, or its last passage on the map of the mode in which the hoop comes back, if that is another one."""
+    image_of, rows = point.map, point.image.rows
+    if point.comes_back or len(rows) < image_of.period:
+        return point
+    place = np.append(place_of(image_of.section, rows[-1]), point.place[-1])
+    return Point(replace(image_of, mode=MODE_LETTERS[int(rows[-1, MODE])]), place)
 
 
-def boundary(one: Image, other: Image, section: str) -> str:
-    """Return the boundary between two images, by their phases and modes."""
-    mode, branches = one.rows[-1, [MODE, BRANCHES]] != other.rows[-1, [MODE, BRANCHES]]
-    if mode and section == "bottom":
+def boundary(one: Point, other: Point) -> str:
+    """Return the boundary between two points, by their phases and modes."""
+    mode, branches = one.image.rows[-1, [MODE, BRANCHES]] != other.image.rows[-1, [MODE, BRANCHES]]
+    if mode and one.map.section == "bottom":
         return "slip at the section"
-    if one.sequence == other.sequence or (mode and branches):
+    words = one.image.sequence, other.image.sequence
+    if words[0] == words[1] or (mode and branches):
         return "impact: slip just stops"
-    return "phase vanishes" if one.sequence.count("H") == other.sequence.count("H") else "hop vanishes"
+    return "phase vanishes" if words[0].count("H") == words[1].count("H") else "hop vanishes"

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from hophoop._support import tables
 from hophoop._support.errors import check_whole
-from hophoop.gaits.maps import SectionDerivative, derivative, eigenvalues, map_of
+from hophoop.gaits.points import Point, SectionDerivative, derivative, point_of
 from hophoop.gaits.results import Passages
 from hophoop.scenario import Scenario
 from hophoop.scenario.start import StartState
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from hophoop.simulation.trajectory import Trajectory
 
 MOST_PERIODS = 100_000
+NARROW = 2.0**-27  # distance at which another piece of the map is next to a gait
 LONGER = 1.001  # of the time to the last landing, which is looked for
 
 
@@ -73,21 +74,19 @@ class Gait:
         return derivative(self.scenario, self.period, section=self.section)
 
     @cached_property
-    def _sides(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Derivatives of the map on the gait, and of another piece within 1e-8 of it, if there is one."""
-        image_of, point, image = map_of(self.passages)
-        return image_of.rates(image, point, exact=True), image_of.rates(image, point, across=True)
+    def _point(self) -> Point:
+        return point_of(self.passages)
 
     @property
     def multipliers(self) -> NDArray[np.float64] | NDArray[np.complex128]:
         """Factors by which small differences change in a period, the largest first; complex only in pairs [1]."""
-        return eigenvalues(self._sides[0])
+        return self._point.multipliers(exact=True)
 
     @property
     def stable(self) -> bool:
         """Whether small differences shrink, on both sides of a corner of the map."""
-        here, across = (abs(eigenvalues(side)[0]) for side in self._sides)
-        return bool(here < 1.0 and not across >= 1.0)
+        across = (abs(other.multiplier) for other in self._point.beside(NARROW) if other.comes_back)
+        return bool(abs(self.multipliers[0]) < 1.0) and not any(other >= 1.0 for other in across)
 
     @property
     def time(self) -> float:
@@ -132,8 +131,7 @@ class Gait:
     @property
     def residual(self) -> float:
         """Largest difference of the states a period apart, in units of R and √(g/R) relative to 1 + θ̇ [1]."""
-        image_of, point, image = map_of(self.passages)
-        return image_of.residual(image.rows[-1], point)
+        return self._point.off()
 
     def motion(self, periods: int = 1) -> Trajectory:
         """Return the motion of some periods.

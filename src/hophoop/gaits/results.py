@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -49,6 +50,14 @@ class Lyapunov(NamedTuple):
     def is_chaotic(self) -> bool:
         """Whether it is above 0 by 5 standard errors, and near doubles separate within so many passages."""
         return self.value > SURE * self.error > 0.0 and self.value * self.passages > SEPARATED
+
+
+def dataset(columns: Iterable[tuple[str, Any, str, str]], axes: Sequence[str], attributes: dict[str, Any]) -> xarray.Dataset:
+    """Return columns of name, values, unit and meaning over the same axes as an xarray.Dataset."""
+    xr = need("xarray", "maps")
+    variables = {name: (axes, values, {"units": unit, "long_name": meaning}) for name, values, unit, meaning in columns}
+    found: xarray.Dataset = xr.Dataset(variables, attrs=attributes)
+    return found
 
 
 _VARIABLES = (
@@ -232,15 +241,12 @@ class Passages:
         ImportError
             If xarray is missing.
         """
-        xr = need("xarray", "maps")
-        variables: dict[str, Any] = {}
-        for name, unit, meaning in _VARIABLES:
-            values = self._since(name) if name in LOSSES else getattr(self, name)
-            variables[name] = ("passage", values, {"units": unit, "long_name": meaning})
-        for name, letters, meaning in (
-            ("mode", self.mode, "Mode at the passage"), ("sequence", self.sequences, "Phases since the last passage"),
-        ):  # fmt: skip
-            variables[name] = ("passage", np.array(letters, dtype=str), {"units": "1", "long_name": meaning})
+        columns = [
+            (name, self._since(name) if name in LOSSES else getattr(self, name), unit, meaning)
+            for name, unit, meaning in _VARIABLES
+        ]
+        columns.append(("mode", np.array(self.mode, dtype=str), "1", "Mode at the passage"))
+        columns.append(("sequence", np.array(self.sequences, dtype=str), "1", "Phases since the last passage"))
         attributes = {
             "Conventions": "CF-1.11",
             "title": f"Passages of a loaded hoop: {self.fate}",
@@ -249,8 +255,7 @@ class Passages:
             "period": self.period,
             "scenario": str(self.scenario.to_query()),
         }
-        dataset: xarray.Dataset = xr.Dataset(variables, attrs=attributes)
-        return dataset
+        return dataset(columns, ("passage",), attributes)
 
     def __repr__(self) -> str:
         fate = f"gait of period {self.period}" if self.period else str(self.decided)

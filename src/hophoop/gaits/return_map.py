@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import pairwise
+from itertools import groupby, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -194,6 +194,11 @@ class Known(NamedTuple):
     after: float
     word: tuple[bytes, float]
 
+    @property
+    def excess(self) -> float:
+        """The change of θ̇ [√(g/R)]."""
+        return self.after - self.omega
+
 
 def known(image: SectionMap, omega: float) -> Known:
     """Return the map at θ̇."""
@@ -209,30 +214,30 @@ def pieces(image: SectionMap, grid: list[float], depth: int, progress: Progress 
 
     The phases are the same from the first to the last double of a piece. depth: how often what is between two pieces is halved.
     """
-    found = []
-    piece = [known(image, grid[0])]
+    places = [known(image, grid[0])]
     for k, omega in enumerate(grid):
-        now = known(image, omega)
+        before, now = places[-1], known(image, omega)
+        if now.word != before.word:
+            high = _edge(image, before, omega)
+            low = known(image, math.nextafter(high.omega, omega))
+            if low.word != now.word:
+                low = _edge(image, now, before.omega)
+            places += [high, *_between(image, high, low, depth), low]
+        places.append(now)
         if progress is not None:
             progress((k + 1) / len(grid))
-        if now.word != piece[-1].word:
-            high, low = _edge(image, piece[-1], omega), _edge(image, now, piece[-1].omega)
-            found += [[*piece, high], *_between(image, high, low, depth)]
-            piece = [low]
-        piece.append(now)
-    return [sorted(set(piece)) for piece in [*found, piece] if not math.isnan(piece[0].after)]
+    found = [list(piece) for _, piece in groupby(sorted(set(places)), lambda one: one.word)]
+    return [piece for piece in found if not math.isnan(piece[0].after)]
 
 
-def _between(image: SectionMap, left: Known, right: Known, depth: int) -> list[list[Known]]:
-    """Return the pieces between the ends of two others that a few halvings meet."""
+def _between(image: SectionMap, left: Known, right: Known, depth: int) -> list[Known]:
+    """Return places and ends of the pieces between the ends of two others that a few halvings meet."""
     middle = 0.5 * (left.omega + right.omega)
-    if depth == 0 or right.omega - left.omega <= 4.0 * math.ulp(middle):
-        return []
     now = known(image, middle)
-    if now.word in (left.word, right.word):  # a piece in two parts; one part is known
+    if depth == 0 or right.omega - left.omega <= 4.0 * math.ulp(middle) or now.word in (left.word, right.word):
         return []
     low, high = _edge(image, now, left.omega), _edge(image, now, right.omega)
-    return [*_between(image, left, low, depth - 1), [low, now, high], *_between(image, high, right, depth - 1)]
+    return [*_between(image, left, low, depth - 1), low, now, high, *_between(image, high, right, depth - 1)]
 
 
 def _edge(image: SectionMap, inside: Known, outside: float) -> Known:

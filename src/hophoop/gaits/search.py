@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from itertools import count, pairwise
+from itertools import pairwise
 
 import numpy as np
 
 from hophoop._support.errors import check_whole
-from hophoop.gaits.branch import Point
 from hophoop.gaits.computing import check, passages
-from hophoop.gaits.differences import Floats
+from hophoop.gaits.differences import last_kept
 from hophoop.gaits.gait import Gait
 from hophoop.gaits.kernels.layout import COORDINATES, MODE, T
 from hophoop.gaits.maps import FASTEST, SectionMap, slowest_over_top
+from hophoop.gaits.points import Point
 from hophoop.gaits.results import Passages
 from hophoop.gaits.return_map import Known, known, pieces
 from hophoop.kernel.numerics.arithmetic import TWO_PI
@@ -95,14 +95,13 @@ def find(
         places = GRID if near is not None else min(GRID * period, MOST_GRID)
         grid = math.copysign(1.0, scenario.plane.slope) * np.linspace(low, high, places)
         known = pieces(image_of, sorted(grid.tolist()), DEPTH, progress)
-    points = [(image_of, np.array([omega])) for piece in known for omega in crossings(image_of, piece)]
+    points = [point for piece in known for point in crossings(image_of, piece)]
     gaits: list[Gait] = []
-    for place in [*points, *_settled(base, period, (low, high), section)]:
-        gait = _gait(*place)
-        if gait is None or (near is not None and abs(gait.state.omega / near - 1.0) > NEARBY):
-            continue
-        if not any(_same(gait, other) for other in gaits):
-            gaits.append(gait)
+    for point in [*points, *_settled(base, period, (low, high), section)]:
+        if _is_gait(point) and (near is None or abs(point.omega / near - 1.0) <= NEARBY):
+            gait = point.gait
+            if not any(_same(gait, other) for other in gaits):
+                gaits.append(gait)
     if not gaits:
         raise InputError(_nothing(base, period, (low, high), section, known))
     gaits.sort(key=lambda gait: abs(gait.speed if near is None else gait.state.omega - near))
@@ -141,17 +140,14 @@ def _range(scenario: Scenario, near: float | None, fastest: float | None, sectio
     return low, high
 
 
-def _gait(image_of: SectionMap, point: Floats) -> Gait | None:
-    """Return the gait of a point, if it repeats itself after the period, downhill, and not earlier."""
-    image = image_of(point)
-    if not (image_of.comes_back(image) and image_of.residual(image.rows[-1], point) <= EXACT and image.turns):
-        return None
-    if image.rows[-1, T] < SHORTEST or image_of.apart(image, point) <= SAME:
-        return None
-    return Point(image_of, point, image).gait
+def _is_gait(point: Point) -> bool:
+    """Return True if a point repeats itself after the period, downhill, and not earlier."""
+    if not (point.comes_back and point.off() <= EXACT and point.apart > SAME):
+        return False
+    return point.image.turns != 0 and bool(point.image.rows[-1, T] >= SHORTEST)
 
 
-def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], section: str) -> Iterator[tuple[SectionMap, Floats]]:
+def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], section: str) -> Iterator[Point]:
     """Yield the fixed points on which motions settle or which they come near, in slip at the bottom or at landings."""
     speed = Units.of_scenario(scenario).of("omega") * scenario.hoop.radius
     ahead = math.copysign(1.0, scenario.plane.slope)
@@ -164,9 +160,9 @@ def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], secti
         for place in places:
             if section == "landing" or found.mode[place] != "R":
                 image_of = SectionMap(scenario, period, section, found.mode[place])
-                solution = image_of.solve(image_of.point(found.start(place)), patient=True)
+                solution = Point(image_of, image_of.point(found.start(place))).solve(patient=True)
                 if solution is not None:
-                    yield image_of, solution[0]
+                    yield solution
 
 
 def _near_returns(found: Passages, period: int) -> list[int]:
@@ -174,10 +170,10 @@ def _near_returns(found: Passages, period: int) -> list[int]:
     rows = found.numbers[:EARLY]
     one, other = rows[:-period], rows[period:]
     change = other[:, COORDINATES] - one[:, COORDINATES]
-    change[:, 0] = np.remainder(change[:, 0] + math.pi, TWO_PI) - math.pi
+    change[:, 0] -= TWO_PI * np.round(change[:, 0] / TWO_PI)
     off = np.abs(change).max(axis=1)
     off[(other[:, MODE] != one[:, MODE]) | (other[:, T] - one[:, T] < SHORTEST)] = math.inf
-    walled = np.concatenate([[math.inf], off, [math.inf]])
+    walled = np.pad(off, 1, constant_values=math.inf)
     nearest = np.flatnonzero((off < NEAR_RETURN) & (off <= walled[:-2]) & (off < walled[2:]))
     return [int(k) for k in nearest[np.argsort(off[nearest], kind="stable")][:RETURNS]]
 
@@ -196,44 +192,32 @@ def _nothing(scenario: Scenario, period: int, bounds: tuple[float, float], secti
         return f"{looked} at landings: none of {STARTS} motions came near one in {PATIENCE} passages."
     if not known:
         return f"{looked} at the bottom: no motion passes it again in rolling."
-    nearest = min(abs(one.after - one.omega) for piece in known for one in piece) * unit
+    nearest = min(abs(one.excess) for piece in known for one in piece) * unit
     return f"{looked} at the bottom: the nearest return was {nearest:.3g} rad/s off."
 
 
 # --- fixed points of a piece
 
 
-def crossings(image: SectionMap, piece: list[Known]) -> Iterator[float]:
-    """Yield the θ̇ of a piece that the map returns, to rounding [√(g/R)]."""
-    points = [(one.omega, one.after - one.omega) for one in piece]
-
-    def excess(omega: float) -> float:
-        return known(image, omega).after - omega
-
-    for (a, at_a), (b, at_b) in pairwise(points):
-        if at_a * at_b <= 0.0:
-            yield root(excess, a, b, at_a, at_b)
-    for (a, at_a), (_, value), (b, at_b) in zip(points, points[1:], points[2:], strict=False):
-        if at_a * value > 0.0 < value * at_b and abs(value) <= min(abs(at_a), abs(at_b)):  # a pair may be next to the extremum
-            for omega in (a, b):
-                found = image.solve(np.array([omega]))
-                if found is not None and a <= found[0][0] <= b:
-                    yield float(found[0][0])
+def crossings(image_of: SectionMap, piece: list[Known]) -> Iterator[Point]:
+    """Yield the points of a piece that the map leads back to, to rounding."""
+    for one, other in pairwise(piece):
+        if one.excess * other.excess <= 0.0:
+            yield Point(image_of, np.array([_crossing(image_of, one, other.omega)]))
+    for three in zip(piece, piece[1:], piece[2:], strict=False):
+        excess = [one.excess for one in three]
+        if (min(excess) > 0.0 or max(excess) < 0.0) and abs(excess[1]) == min(map(abs, excess)):
+            for start in (three[0].omega, three[2].omega):  # a pair may be next to the extremum
+                found = Point(image_of, np.array([start])).solve()
+                if found is not None and three[0].omega <= found.place[0] <= three[2].omega:
+                    yield found
 
 
-def root(excess: Callable[[float], float], a: float, b: float, at_a: float, at_b: float) -> float:
-    """Return a root between two points of different sign, by the secant rule within a bracket, else by bisection."""
-    for k in count():
-        middle = 0.5 * (a + b)
-        if 0.0 in (at_a, at_b) or middle in (a, b):
-            break
-        secant = b - at_b * (b - a) / (at_b - at_a)
-        tried = secant if k % 3 and a < secant < b else middle
-        value = excess(tried)
-        if math.isnan(value):  # a narrow piece without a map between
-            break
-        if value * at_a < 0.0:
-            b, at_b = tried, value
-        else:
-            a, at_a = tried, value
-    return a if abs(at_a) < abs(at_b) else b
+def _crossing(image_of: SectionMap, inside: Known, outside: float) -> float:
+    """Return the last θ̇ from which the map leads away as it does at the first one, on the way to another."""
+
+    def kept(omega: float) -> Known | None:
+        tried = known(image_of, omega)
+        return tried if tried.excess * inside.excess > 0.0 else None
+
+    return last_kept(inside, inside.omega, outside, kept).omega

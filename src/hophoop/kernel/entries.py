@@ -59,7 +59,7 @@ FIELDS: dict[type, tuple[Array, ...]] = {
 
 _THEORY = "hophoop.theory.kernels."
 _GAITS = "hophoop.gaits.kernels."
-REQUEST = Named(_GAITS + "layout.Request", (int, int, float, int, bool))
+REQUEST = Named(_GAITS + "layout.Request", (int, int, bool))
 CODED, PACKED = Array(WHOLE, 2), Array(np.dtype(np.uint64), 2)
 BUFFERS = Named(_GAITS + "layout.Buffers", (TABLE, PACKED, ROW, EVENTS, SEGMENTS))
 WORKSPACE = Named("hophoop.derivatives.workspace.Workspace", (Scratch, TABLE))

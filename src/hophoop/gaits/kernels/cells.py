@@ -102,6 +102,15 @@ def loss_until_rolling(body, start, scratch):
 
 
 @noinline
+def next_omega(body, om, request, buffers, scratch):
+    """Return θ̇ at the next passage of the bottom, nan if it is not in rolling."""
+    start = start_state(0.0, 0.0, PI, 0.0, 0.0, om)
+    _, found, _, _ = follow_passages(body, start, BY_RULE, request, buffers, scratch)
+    row = buffers.numbers[0]
+    return row[OMEGA] if found == 1 and row[MODE] == ROLL else math.nan
+
+
+@noinline
 def follow_neighbours(body, om, request, buffers, scratch):
     """Return the mean growth of a small difference of θ̇ per passage in rolling, and its standard error; nan without one."""
     one = replaced(request, most=1, stops=False)
@@ -110,18 +119,12 @@ def follow_neighbours(body, om, request, buffers, scratch):
         batch = 0.0
         for _ in range(BATCH):
             near = om * (1.0 + NEIGHBOUR)
-            start = start_state(0.0, 0.0, PI, 0.0, 0.0, near)
-            _, found, _, _ = follow_passages(body, start, BY_RULE, one, buffers, scratch)
-            beyond = buffers.numbers[0, OMEGA]
-            start = start_state(0.0, 0.0, PI, 0.0, 0.0, om)
-            _, also, _, _ = follow_passages(body, start, BY_RULE, one, buffers, scratch)
-            if found == 0 or also == 0 or buffers.numbers[0, MODE] != ROLL:
-                return math.nan, math.nan
-            growth = abs((beyond - buffers.numbers[0, OMEGA]) / (near - om))
+            after = next_omega(body, om, one, buffers, scratch)
+            growth = abs((next_omega(body, near, one, buffers, scratch) - after) / (near - om))
             if not growth > 0.0:
                 return math.nan, math.nan
             batch += logarithm(growth)
-            om = buffers.numbers[0, OMEGA]
+            om = after
         total += batch / BATCH
         squares += (batch / BATCH) * (batch / BATCH)
     mean = total / BATCHES

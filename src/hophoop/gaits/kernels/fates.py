@@ -103,9 +103,12 @@ def angle_between(one, other):
 
 
 @noinline
-def difference(numbers, one, other, section):
-    """Return the largest difference of two passages, relative to the speed of rotation."""
-    last, before = numbers[one], numbers[other]
+def difference(buffers, k, period, section):
+    """Return the largest difference of passage k from that a period before, relative to 1 + θ̇; inf with other phases."""
+    row, other = k % len(buffers.numbers), (k - period) % len(buffers.numbers)
+    last, before, words = buffers.numbers[row], buffers.numbers[other], buffers.words
+    if last[MODE] != before[MODE] or words[row, 0] != words[other, 0] or words[row, 1] != words[other, 1]:
+        return math.inf
     worst = 0.0
     for column in range(SLIP, OMEGA + 1):
         worst = max(worst, abs(last[column] - before[column]))
@@ -116,28 +119,16 @@ def difference(numbers, one, other, section):
 
 
 @noinline
-def same_word(numbers, words, one, other):
-    """Return True if two passages have the same mode and sequence."""
-    modes = numbers[one, MODE] == numbers[other, MODE]
-    return modes and words[one, 0] == words[other, 0] and words[one, 1] == words[other, 1]
-
-
-@noinline
-def period_of(numbers, words, k, section):
+def period_of(buffers, k, section):
     """Return the period of passage k, in passages, or 0: the same state and sequences came before, ever more exactly."""
-    length = numbers.shape[0]
-    row = k % length
-    for period in range(1, min(LONGEST_PERIOD, k // 2, (length - 1) // 2) + 1):
-        before = (k - period) % length
-        if not same_word(numbers, words, row, before):
+    for period in range(1, min(LONGEST_PERIOD, k // 2, (len(buffers.numbers) - 1) // 2) + 1):
+        now = difference(buffers, k, period, section)
+        if not now <= SAME:
             continue
-        now = difference(numbers, row, before, section)
-        past = difference(numbers, before, (k - 2 * period) % length, section)
-        if now <= SAME and past <= NEAR and is_near_limit(now, past):
+        past = difference(buffers, k - period, period, section)
+        if past <= NEAR and is_near_limit(now, past):
             for part in range(1, period):
-                other = (k - part) % length
-                same = period % part == 0 and same_word(numbers, words, row, other)
-                if same and difference(numbers, row, other, section) <= NEAR:
+                if period % part == 0 and difference(buffers, k, part, section) <= NEAR:
                     return part
             return period
     return 0
@@ -164,9 +155,9 @@ def rolls_slowly(body):
 
 
 @noinline
-def fate_at_passage(body, numbers, words, k, section, fastest):
+def fate_at_passage(body, buffers, k, section, fastest):
     """Return (fate, period) after passage k; the period is 0 except in a gait."""
-    length = numbers.shape[0]
+    numbers, length = buffers.numbers, len(buffers.numbers)
     last, before = numbers[k % length], numbers[(k - 1) % length]
     om = last[OMEGA]
     if abs(om) > fastest and om * body.gt > 0.0:
@@ -192,7 +183,7 @@ def fate_at_passage(body, numbers, words, k, section, fastest):
         return FateCode.RUNS_AWAY, 0
     if rolled and body.resist == 0.0:  # it gains what the slope gives, however little
         return OPEN, 0
-    period = period_of(numbers, words, k, section)
+    period = period_of(buffers, k, section)
     if period > 0 and abs(angle_between(numbers[(k - period) % length], last)) > HALF:
         return FateCode.GAIT, period
     return OPEN, 0

@@ -39,8 +39,6 @@ class Request(NamedTuple):
 
     section: int  # BOTTOM or LANDING
     most: int  # passages
-    t_end: float  # time [√(R/g)]
-    panels: int  # maximum of panels between two passages
     stops: bool  # True: ends as soon as the fate is decided
 
 

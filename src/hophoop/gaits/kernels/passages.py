@@ -44,6 +44,8 @@ ROWS = 2 * LONGEST_PERIOD + 2  # of a ring of passages in which any period is se
 # What is remembered of a motion: the present phase's letter and start, and hops; at its end the energy lost and revolutions.
 LETTER, SINCE, JUMPS, LOST, TURNED = range(MEMORY, MEMORY + 5)
 SIZE = MEMORY + 5
+FOREVER = 1e9  # √(R/g): a motion that takes longer from passage to passage is given up
+MOST_BETWEEN = 20_000  # panels between two passages
 KEPT = 2.0**40  # branches are kept modulo this
 FAINT = 1e-3  # m √(gR): impacts with less impulse, as at the end of a sequence of bounces, have no branch
 
@@ -64,16 +66,17 @@ def cell_of(state):
 
 
 @noinline
-def begin_row(numbers, words, row):
+def begin_row(buffers, row):
     """Empty the row and the word of the next passage."""
-    numbers[row, :] = 0.0
-    words[row, :] = 0
+    buffers.numbers[row, :] = 0.0
+    buffers.words[row, :] = 0
 
 
 @noinline
-def end_phase(numbers, words, row, memory):
+def end_phase(buffers, row):
     """Append the letter of the present phase to the word of the next passage."""
-    numbers[row, LETTERS] = add_letter(words, row, int(numbers[row, LETTERS]), int(memory[LETTER]))
+    out = buffers.numbers[row]
+    out[LETTERS] = add_letter(buffers.words, row, int(out[LETTERS]), int(buffers.memory[LETTER]))
 
 
 @noinline
@@ -96,9 +99,9 @@ def branch_of(body, event):
 
 
 @noinline
-def note_events(body, log, numbers, words, row, memory, fate):
+def note_events(body, log, buffers, row, fate):
     """Read the events of a step into the row and the word of the next passage; return the fate that they decide, or OPEN."""
-    out = numbers[row]
+    out, memory = buffers.numbers[row], buffers.memory
     for i in range(log.counts[EVENTS]):
         event = log.events[i]
         kind = event["kind"]
@@ -115,7 +118,7 @@ def note_events(body, log, numbers, words, row, memory, fate):
         if event["after_mode"] == Mode.FLIGHT and event["height"] == 0.0 and not event["vy"] < 0.0:
             memory[JUMPS] += 1.0
         if event["t"] > memory[SINCE]:
-            end_phase(numbers, words, row, memory)
+            end_phase(buffers, row)
         memory[LETTER] = event["after_mode"]
         memory[SINCE] = event["t"]
     log.counts[EVENTS] = 0
@@ -123,11 +126,11 @@ def note_events(body, log, numbers, words, row, memory, fate):
 
 
 @noinline
-def write_passage(phase, numbers, words, row, memory, doubt):
+def write_passage(phase, buffers, row, doubt):
     """Write the state into a row, and end its word."""
-    state, out = phase.state, numbers[row]
+    state, out, memory = phase.state, buffers.numbers[row], buffers.memory
     if state.t > memory[SINCE]:
-        end_phase(numbers, words, row, memory)
+        end_phase(buffers, row)
     for column, value in enumerate(state):
         out[column] = value
     out[MODE], out[AHEAD], out[HOPS], out[DOUBT] = phase.mode, state.om > 0.0, memory[JUMPS], doubt
@@ -168,9 +171,8 @@ def follow_passages(body, start, mode, request, buffers, scratch):
 
     The status is GOING if the motion goes on. `mode` is that of the start, or BY_RULE.
     """
-    limit = scratch.counts[PANEL_LIMIT]
-    scratch.counts[PANEL_LIMIT] = request.panels
-    numbers, words, memory = buffers.numbers, buffers.words, buffers.memory
+    scratch.counts[PANEL_LIMIT] = MOST_BETWEEN
+    memory = buffers.memory
     log = new_log(buffers.events, buffers.segments, scratch)
     phase = begin(body, start, mode, log)
     log.counts[EVENTS] = 0
@@ -179,33 +181,33 @@ def follow_passages(body, start, mode, request, buffers, scratch):
     memory[SINCE], memory[LETTER] = phase.state.t, phase.mode
     fate, period, passages, row = fate_at_start(body, phase.state), 0, 0, 0
     cell = cell_of(phase.state)
-    begin_row(numbers, words, row)
+    begin_row(buffers, row)
     while phase.status == GOING and has_room(log) and passages < request.most and not (request.stops and fate != OPEN):
         before = phase.mode
         flies = before == Mode.FLIGHT or before == Mode.SKIM
         count_panel(log)
         span = math.nan if flies or request.section == LANDING else PI  # half a revolution to either side of the top
-        limits = Limits(request.t_end, 0, 0, span, 0.0, span, 0.0, cell, 0.0, 0.0, False)
+        limits = Limits(FOREVER, 0, 0, span, 0.0, span, 0.0, cell, 0.0, 0.0, False)
         after = step(body, phase, limits, log, scratch)
-        if not can_follow(phase.state, after.state, request.t_end):
+        if not can_follow(phase.state, after.state, FOREVER):
             break
         phase = after
-        fate = note_events(body, log, numbers, words, row, memory, fate)
+        fate = note_events(body, log, buffers, row, fate)
         if fate == OPEN and is_below_top(body, phase.state):
             fate = FateCode.ROCKS if body.resist == 0.0 else FateCode.RESTS
         if not ends_at_section(before, phase, request.section):
             cell = cell_of(phase.state) if flies else cell
             continue
-        write_passage(phase, numbers, words, row, memory, log.doubt[0])
+        write_passage(phase, buffers, row, log.doubt[0])
         if request.section != LANDING:
             cell = cell_of(phase.state)
             phase = continue_phase(phase, phase.state, phase.level, Ending.CONTINUES, phase.anchor)
         if fate == OPEN:
-            fate, period = fate_at_passage(body, numbers, words, passages, request.section, fastest)
+            fate, period = fate_at_passage(body, buffers, passages, request.section, fastest)
         passages += 1
         if passages < request.most:
-            row = passages % numbers.shape[0]
-            begin_row(numbers, words, row)
+            row = passages % len(buffers.numbers)
+            begin_row(buffers, row)
         log.counts[PANELS] = 0
     status, state = phase.status, phase.state
     if status == GOING and not (passages >= request.most or (request.stops and fate != OPEN)):
@@ -213,6 +215,5 @@ def follow_passages(body, start, mode, request, buffers, scratch):
     memory[TURNED] = (state.revolutions - start.revolutions) + (state.th - start.th) / TWO_PI
     if fate == OPEN:
         fate = fate_without_passages(body, phase, abs(state.revolutions - start.revolutions))
-    scratch.counts[PANEL_LIMIT] = limit
     memory[LOST] = state.friction + state.impact_n + state.impact_t + state.rolling_loss
     return status, passages, fate, period

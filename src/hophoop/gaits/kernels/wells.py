@@ -71,21 +71,18 @@ def stays_in_well(body, th, slip, om):
 @noinline
 def is_held(body, th, half, energy):
     """Return True if no state within `half` of θ, with at most this E, leaves the plane, jams or gains E in slip."""
-    s, c = sine_cosine(th, 0.0)
-    bend = 0.5 * half * half
-    change = abs(body.eps * body.gn * s + body.gt * (1.0 + body.eps * c))  # of V with θ
-    least = rolling_potential(body, s, c, th) - half * change - bend * body.eps * (body.gn + abs(body.gt))
-    free = energy - least
+    s, c = sine_cosine(th, 0.0)  # which change by at most `half`
+    steepest = body.eps * body.gn + abs(body.gt) * (1.0 + body.eps)  # of V
+    free = energy - rolling_potential(body, s, c, th) + half * steepest
     if free < 0.0:
         return True
-    off_sine, off_cosine = half * abs(c) + bend, half * abs(s) + bend
-    cosine = min(c + off_cosine, 1.0)
-    lever, farthest = body.eps * max(abs(s) - off_sine, 0.0), body.eps * (abs(s) + off_sine)
+    cosine = min(c + half, 1.0)
+    lever, farthest = body.eps * max(abs(s) - half, 0.0), body.eps * (abs(s) + half)
     load = body.gn - body.eps * max(cosine, 0.0) * 2.0 * free / (body.kap + lever * lever)  # −f_n, the least
     stiffness = body.kap + lever * lever - farthest * (body.mu_k * (1.0 + body.eps * cosine) + body.resist)  # κ p_σ, the least
     if not load > MARGIN or (body.resist > 0.0 and not stiffness > MARGIN):
         return False
-    ahead = body.eps * ((s if body.gt > 0.0 else -s) + off_sine)  # σ ε sin θ in slip downhill, the most
-    arm = 1.0 + body.eps * (cosine if ahead > 0.0 else c - off_cosine)
+    ahead = body.eps * ((s if body.gt > 0.0 else -s) + half)  # σ ε sin θ in slip downhill, the most
+    arm = 1.0 + body.eps * (cosine if ahead > 0.0 else c - half)
     most = body.kap + farthest * (farthest + body.resist) + body.mu_k * ahead * arm
     return body.mu_k * body.kap * load > (1.0 + MARGIN) * abs(body.gt) * most

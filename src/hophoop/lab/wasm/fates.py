@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numba import carray
 
-from hophoop.gaits.computing import FOREVER, PANELS
 from hophoop.gaits.kernels.cells import judge_cells
 from hophoop.gaits.kernels.layout import BOTTOM, CODES, NUMBERS, Request
 from hophoop.lab.wasm.layout import FATE_COLUMNS
@@ -19,7 +18,7 @@ def fate(given, most, out):
     cells = carray(given, (FIELDS, 1))
     row = carray(out, (WIDTH,))
     codes, numbers = np.zeros((1, CODE_COUNT), np.int64), np.empty((1, NUMBER_COUNT))
-    judge_cells(cells, Request(BOTTOM, most, FOREVER, PANELS, True), codes, numbers)
+    judge_cells(cells, Request(BOTTOM, most, True), codes, numbers)
     for i in range(CODE_COUNT):
         row[i] = codes[0, i]
     for i in range(NUMBER_COUNT):
