@@ -6,7 +6,6 @@ import numpy as np
 
 import hophoop as hh
 from checkout import text_of
-from hophoop.fitting.channels import Sigma
 from hophoop.fitting.problem import defaults, problem_of, run_of
 from hophoop.tracking.table import track_of
 
@@ -42,7 +41,7 @@ def lasting(errors, alike):
 
 def posed(track, start="rolling", hoop="ideal", plane=PLANE, **known):
     """The problem of a track, and values of its parameters: the truth, and others that are known."""
-    problem = problem_of([run_of(track, hoop, start, plane, Sigma())])
+    problem = problem_of([run_of(track, hoop, start, plane)])
     values, _ = defaults(problem.runs[0], track)
     return problem, values | {name: value for name, value in (TRUTH | known).items() if name in values}
 

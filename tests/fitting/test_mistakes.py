@@ -7,7 +7,6 @@ import pytest
 
 import hophoop as hh
 from fitting_tools import RADIUS, filmed, hopping
-from hophoop.fitting.channels import Sigma
 from hophoop.fitting.guess import guess
 from hophoop.fitting.mistakes import likely_mistakes
 from hophoop.fitting.problem import defaults, run_of
@@ -27,9 +26,9 @@ TRACKS = {name: filmed(motion, rate=60.0) for name, motion in MOTIONS.items()}
 
 def asked(track, cost=1e3):
     """What is said of a fit with a cost per number, from a guess of its values."""
-    run = run_of(track, "ideal", "rolling", hh.Plane(), Sigma())
+    run = run_of(track, "ideal", "rolling", hh.Plane())
     values, free = defaults(run, track)
-    return likely_mistakes(run, guess(run, values), sorted(free), cost, track, Sigma())[0]
+    return likely_mistakes(run, guess(run, values, free), sorted(free), cost, track)[0]
 
 
 def stretched(track, centre=1.0, angle=1.0, time=1.0, zero=0.0, radius=1.0):

@@ -8,7 +8,7 @@ from fits import KINDS, TRUTH, drawn, measure, spoiled, within
 
 import hophoop as hh
 from fitting_tools import read_again
-from hophoop.fitting.channels import GYROSCOPE, Sigma, with_scatter
+from hophoop.fitting.channels import GYROSCOPE, with_errors, with_scatter
 
 pytestmark = pytest.mark.compiled
 
@@ -56,11 +56,12 @@ def test_a_record_that_another_radius_explains_is_wrong_although_its_residuals_s
 def test_the_scatter_is_at_most_that_of_the_data_and_at_least_the_usual_noise():
     track = drawn("phone400", 1)
     rough = {"omega": np.random.default_rng(1).normal(0.0, 5.0, len(track.t))}
-    found, scatter = with_scatter(track, Sigma(), rough)
+    found, scatter = with_scatter(track, rough)
     assert 0.015 < scatter["omegas"] < 0.03
     assert (found.omega_error == scatter["omegas"]).all()
-    assert with_scatter(track, Sigma(), {"omega": 0.0 * track.t})[1] == {"omegas": GYROSCOPE}
-    assert with_scatter(track, Sigma(omegas=0.1), rough) == (track, {})
+    assert with_scatter(track, {"omega": 0.0 * track.t})[1] == {"omegas": GYROSCOPE}
+    given = with_errors(track, {"omegas": 0.1})
+    assert with_scatter(given, rough) == (given, {})
 
 
 @pytest.mark.long

@@ -8,7 +8,7 @@ import pytest
 import fitting_tools
 import hophoop as hh
 from fitting_tools import PLANE, RADIUS, TRUTH, read_again
-from hophoop.fitting.channels import PATCH, PLACE_ERROR, Sigma, channels_of
+from hophoop.fitting.channels import PATCH, PLACE_ERROR, channels_of
 from hophoop.fitting.covariance import correlated_frames
 from hophoop.fitting.problem import Prior, problem_of, run_of, shared_errors
 from hophoop.tracking import Camera, View
@@ -97,14 +97,14 @@ def test_where_the_scale_is_off_so_is_the_plane(hop):
 
 def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     track = filmed(hop)
-    x, _, angle = channels_of(track, Sigma())
+    x, _, angle = channels_of(track)
     step = float(np.hypot(*np.diff(track.pixel, axis=0).T).mean())
     assert x.frames == pytest.approx(1 + 2 * (PLACE_ERROR / PIXELS / SIGMA) ** 2 * PATCH / step)
     assert angle.frames == pytest.approx(1 + 2 * (PLACE_ERROR / PIXELS / (0.8 * RADIUS) / SIGMA_ANGLE) ** 2 * PATCH / step)
     still = dataclasses.replace(track, pixel=np.zeros_like(track.pixel))
-    assert channels_of(still, Sigma())[0].frames == pytest.approx(1 + (x.frames - 1) * step)
+    assert channels_of(still)[0].frames == pytest.approx(1 + (x.frames - 1) * step)
     # what the residuals say counts where it is more
-    problem = problem_of([run_of(track, "ideal", "rolling", PLANE, Sigma())], robust=False)
+    problem = problem_of([run_of(track, "ideal", "rolling", PLANE)], robust=False)
     fresh = np.random.default_rng(5).normal(size=problem.count)
     assert correlated_frames(problem, fresh)[0] == x.frames
     slow = np.repeat(fresh, 40)[: problem.count]
@@ -115,7 +115,7 @@ def test_a_run_has_the_errors_of_each_quantity_and_times_from_its_first_value(ho
     track = filmed(hop)
     late = dataclasses.replace(track, t=track.t + 5.0, centre_error=track.centre_error * [1.0, 2.0])
     late.centre[:3] = late.angle[:3] = np.nan
-    run = run_of(late, "ideal", "rolling", PLANE, Sigma())
+    run = run_of(late, "ideal", "rolling", PLANE)
     assert run.first == 3
     assert run.t == pytest.approx(track.t[:-3])
     assert [one.errors[0] for one in run.channels] == pytest.approx([SIGMA, 2.0 * SIGMA, SIGMA_ANGLE])

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._support.extras import need
 from hophoop.scenario import InputError
 from hophoop.tracking import Track
 from hophoop.tracking.scatter import spread, third_differences
@@ -26,7 +27,7 @@ GIVE = "give --sigma, --sigma-angle or --sigma-omega (sigma= and the like in fit
 
 
 class Kind(NamedTuple):
-    """Channels whose errors are estimated together."""
+    """Channels whose errors are given, or estimated, together."""
 
     words: str
     unit: str  # of a thousandth
@@ -41,14 +42,6 @@ KINDS = {
 }
 
 
-class Sigma(NamedTuple):
-    """Given standard deviations; None where the data have their own."""
-
-    places: float | None = None  # of each coordinate [m]
-    angles: float | None = None  # [rad]
-    omegas: float | None = None  # of angular velocities [rad/s]
-
-
 class Channel(NamedTuple):
     """One measured quantity."""
 
@@ -60,31 +53,41 @@ class Channel(NamedTuple):
     frames: float = 1.0  # with the information of one of independent errors, as far as known in advance
 
 
-def channels_of(track: Track, sigma: Sigma) -> tuple[Channel, ...]:
-    """Centre and angle, the marker if there is no centre, and the angular velocity.
+def with_errors(track: Track, given: Mapping[str, float | None], own: bool = False) -> Track:
+    """Return the track with standard deviations in place of its own, or, if it keeps its own, where it has none.
 
-    sigma: standard deviations in place of the track's own.
+    given: by key of KINDS, None for those of the track [m, rad or rad/s].
     """
+    errors: dict[str, Any] = {}
+    for kind, error in given.items():
+        for name in KINDS[kind].fields if error is not None else ():
+            now = getattr(track, name)
+            errors[name] = np.where((now > 0) & own, now, error)
+    return replace(track, **errors)
+
+
+def channels_of(track: Track) -> tuple[Channel, ...]:
+    """Centre and angle, the marker if there is no centre, and the angular velocity."""
     centred, marked = (np.isfinite(places[:, 0]).any() for places in (track.centre, track.marker))
     angle_error = track.angle_error
     if np.isnan(angle_error).all():  # that of the line from the centre to the marker
-        ends = (track.marker_error, track.centre_error.mean(axis=1)) if sigma.places is None else (sigma.places, sigma.places)
-        angle_error = np.hypot(*ends) / np.hypot(*(track.marker - track.centre).T)
+        ends = np.hypot(track.marker_error, track.centre_error.mean(axis=1))
+        angle_error = ends / np.hypot(*(track.marker - track.centre).T)
     measured = {
-        "x": (track.centre[:, 0], track.centre_error[:, 0], sigma.places),
-        "y": (track.centre[:, 1], track.centre_error[:, 1], sigma.places),
-        "marker_x": (track.marker[:, 0], track.marker_error, sigma.places),
-        "marker_y": (track.marker[:, 1], track.marker_error, sigma.places),
-        "angle": (track.angle, angle_error, sigma.angles),
-        "omega": (track.omega, track.omega_error, sigma.omegas),
+        "x": (track.centre[:, 0], track.centre_error[:, 0]),
+        "y": (track.centre[:, 1], track.centre_error[:, 1]),
+        "marker_x": (track.marker[:, 0], track.marker_error),
+        "marker_y": (track.marker[:, 1], track.marker_error),
+        "angle": (track.angle, angle_error),
+        "omega": (track.omega, track.omega_error),
     }
     unused = ("marker_x", "marker_y") if centred else ("angle",) if marked else ()
     result = []
-    for name, (values, errors, given) in measured.items():
+    for name, (values, errors) in measured.items():
         rows = np.flatnonzero(np.isfinite(values))
         if name in unused or not len(rows):
             continue
-        own = errors[rows] if given is None else np.full(len(rows), given)
+        own = errors[rows]
         known = np.isfinite(own) & (own > 0)
         if not known.all():
             own = np.where(known, own, scatter([(track.t[rows], values[rows])], name))
@@ -114,25 +117,28 @@ def rotation(omega: Channel, t: Floats) -> Channel:
 
     t: of the rows [s].
     """
-    steps, times = np.diff(omega.values), np.diff(t[omega.rows])
-    turned = np.concatenate([[0.0], np.cumsum((omega.values[:-1] + 0.5 * steps) * times)])
-    error = max(0.25 * float(np.abs(steps).max() * np.median(times)), LEAST_ROTATION)
-    return Channel("angle", omega.rows, turned, np.full(len(turned), error))
+    times = t[omega.rows]
+    jump = float(np.abs(np.diff(omega.values)).max() * np.median(np.diff(times)))
+    turned = rotation_of(times, omega.values)
+    return Channel("angle", omega.rows, turned, np.full(len(turned), max(0.25 * jump, LEAST_ROTATION)))
+
+
+def rotation_of(t: Floats, omega: Floats) -> Floats:
+    """Return the rotation since the first of angular velocities, shape (n,) [rad]."""
+    return np.asarray(need("scipy.integrate", "fit").cumulative_trapezoid(omega, t, initial=0.0))
 
 
 def evened(track: Track) -> tuple[Track, Values]:
     """Return the track with the times of the even grid that its times round to, and its rate [Hz]; nothing without rounding."""
-    steps = np.diff(track.t)
-    frames = np.concatenate([[0.0], np.cumsum(np.round(steps / np.median(steps)))])
+    frames = np.cumsum(np.round(np.diff(track.t, prepend=track.t[0]) / np.median(np.diff(track.t))))
     step, begin = np.polyfit(frames, track.t, 1)
     even = begin + step * frames
-    off = float(np.abs(track.t - even).max())
-    if not 1e-3 * step < off < ROUNDED * _rounding(track.t):
+    if not 1e-3 * step < np.abs(track.t - even).max() < ROUNDED * _rounding(track.t):
         return track, {}
     return replace(track, t=even), {"rate": float(1.0 / step)}
 
 
-def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple[Track, Values]:
+def with_scatter(track: Track, off: Mapping[str, Floats]) -> tuple[Track, Values]:
     """Return the track with its scatter as errors where it has none, and the scatter of each kind.
 
     It is that of the deviations from a motion, also from a wrong one, in which the rest of the motion is smooth. In the data
@@ -143,14 +149,12 @@ def with_scatter(track: Track, sigma: Sigma, off: Mapping[str, Floats]) -> tuple
     found: Values = {}
     for name, kind in KINDS.items():
         # with the errors of its ends, the line from the centre to the marker has one, too
-        group = [one for one in channels_of(track, sigma) if one.name in kind.channels and not one.known]
+        group = [one for one in channels_of(track) if one.name in kind.channels and not one.known]
         if group:
             usual = scatter([(track.t[one.rows], one.values) for one in group], group[0].name)
             rest = _roughness([(track.t[one.rows], off[one.name]) for one in group])
             found[name] = float(min(usual, max(rest, *(_least_error(one.values, one.name) for one in group))))
-            errors = {field: getattr(track, field) for field in kind.fields}
-            filled: dict[str, Any] = {field: np.where(own > 0, own, found[name]) for field, own in errors.items()}
-            track = replace(track, **filled)
+            track = with_errors(track, {name: found[name]}, own=True)
     return track, found
 
 
@@ -168,7 +172,7 @@ def scatter(pieces: Pieces, name: str) -> float:
     if count < 8:
         raise InputError(f"The uncertainty of the data is missing, and {count} frames are too few to estimate it: {GIVE}.")
     usual = max(_roughness(pieces), *(_least_error(values, name) for _, values in pieces))
-    if not usual > 1e-12 * max(1.0, *(float(np.abs(values).max()) for _, values in pieces)):
+    if not usual > 1e-12 * max(1.0, *(np.abs(values).max() for _, values in pieces)):
         raise InputError(f"The uncertainty of the data is missing, and they do not scatter: {GIVE}.")
     return usual
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hophoop._support.errors import check_type
-from hophoop.fitting.channels import Sigma, Values, evened, with_scatter
+from hophoop.fitting.channels import Values, evened, with_errors, with_scatter
 from hophoop.fitting.guess import Candidate, candidates, guess, start_kind
 from hophoop.fitting.limits import least_friction, with_limits
 from hophoop.fitting.mistakes import likely_mistakes, shutter
@@ -40,7 +40,6 @@ class Settings:
     bounds: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     tied: Mapping[str, str] = field(default_factory=dict)
     plane: Plane = field(default_factory=Plane)
-    sigma: Sigma = field(default_factory=Sigma)
     robust: bool = True
     seed: int = 0
 
@@ -130,25 +129,16 @@ def fit(
         raise InputError.of_field("hoop", hoop, "'ideal', 'general' or a Hoop")
     if start != "auto" and start not in STARTS:
         raise InputError.of_field("start", start, f"auto, {', '.join(STARTS)}")
-    how = Settings(
-        hoop,
-        start,
-        fixed or {},
-        free,
-        bounds or {},
-        tied or {},
-        plane or Plane(),
-        Sigma(sigma, sigma_angle, sigma_omega),
-        robust,
-        seed,
-    )
     require_above_0(sigma=sigma, sigma_angle=sigma_angle, sigma_omega=sigma_omega)
-    if not isinstance(data, Track | str | Path):
-        check_type("data", data, Sequence)
-    several = [data] if isinstance(data, Track | str | Path) else list(data)
-    tracks = [one if isinstance(one, Track) else read_track(one) for one in several]
+    if isinstance(data, Track | str | Path):
+        data = [data]
+    check_type("data", data, Sequence)
+    read = (one if isinstance(one, Track) else read_track(one) for one in data)
+    errors = {"places": sigma, "angles": sigma_angle, "omegas": sigma_omega}
+    tracks = [with_errors(track, errors) for track in read]
     if not tracks:
         raise InputError("There is no record to fit.")
+    how = Settings(hoop, start, fixed or {}, free, bounds or {}, tied or {}, plane or Plane(), robust, seed)
     if len(tracks) == 1:
         return fit_alone(tracks[0], how)
     return _fit_together([fit_alone(track, how.of_run(k)) for k, track in enumerate(tracks, 1)], how)
@@ -163,7 +153,7 @@ def fit_alone(track: Track, how: Settings) -> Fit:
         # angular velocities need the whole search
         search = best_of(problem, params, starts).minimum if of_rotation(problem) else lowest(problem, params, starts)
         off = {channel.name: channel.errors * search.residuals[part] for _, channel, part in problem.pieces}
-        track, scatter = with_scatter(track, how.sigma, off)
+        track, scatter = with_scatter(track, off)
         problem, params = _posed(track, how)
         starts, derived = _starts(problem, params, how.seed), derived | scatter
     return _fit_of(problem, params, starts, (track,), how, [derived])
@@ -178,7 +168,7 @@ def fit_near(track: Track, how: Settings, values: Values) -> Fit:
 
 def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters]:
     """Return the problem of one run with its priors, and its parameters."""
-    run = run_of(track, how.hoop, "rolling" if how.start == "auto" else how.start, how.plane, how.sigma)
+    run = run_of(track, how.hoop, "rolling" if how.start == "auto" else how.start, how.plane)
     if run.t[-1] > LONGEST:
         raise InputError(
             f"{track.source or 'The record'} lasts {run.t[-1]:.4g} s, and the free motion of a hoop some seconds: give its "
@@ -194,11 +184,10 @@ def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters]:
 
 def _starts(problem: Problem, params: Parameters, seed: int) -> list[Candidate]:
     """Return starts of a fit of one run."""
-    (run,), free, values = problem.runs, free_of(params), params.valuesdict()
+    (run,), free = problem.runs, free_of(params)
     if len(free) >= problem.count:
         raise InputError(f"{len(free)} parameters cannot be fitted to {problem.count} numbers.")
-    first = {name: one if name in free else values[name] for name, one in guess(run, values).items()}
-    starts = candidates(run, first, set(free), seed)
+    starts = candidates(run, guess(run, params.valuesdict(), free), set(free), seed)
     if not starts:
         raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
     return starts
@@ -229,7 +218,7 @@ def _parameters(problem: Problem, values: Values, usual: set[str], how: Settings
         for name, value in given.items():
             if name in REFUSED:
                 raise InputError(f"{name} is no parameter of a fit: {REFUSED[name]}.")
-            places = [name] if name in problem.names else [run.named(name) for run in problem.runs if name in run.names]
+            places = [run.named(one) for run in problem.runs for one in run.names if name in (one, run.named(one))]
             if not places:
                 raise InputError(f"{name!r} is no parameter of this fit; it has {', '.join(problem.names)}.")
             result |= dict.fromkeys(places, value)
@@ -282,7 +271,6 @@ def _fit_of(
         "gravity": how.plane.gravity,
         "law": how.plane.impact_law,
         "robust": how.robust,
-        "sigma": list(how.sigma),
         "derived": derived,
         "free": list(wanted),
         "bounds": {name: list(limits) for name, limits in how.bounds.items()},
@@ -294,7 +282,7 @@ def _fit_of(
         return found
     run = problem.runs[0]
     free = [name for name in run.names if run.named(name) in wanted]
-    causes, tried = likely_mistakes(run, run.own(values), free, found.reduced, tracks[0], how.sigma)
+    causes, tried = likely_mistakes(run, run.own(values), free, found.reduced, tracks[0])
     found = replace(found, mistaken=bool(causes))
     causes = causes or shutter(solution, tracks)
     notes = causes + notes if found.usable else causes or [NO_MISTAKE.format(", ".join(tried))]

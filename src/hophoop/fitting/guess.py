@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from operator import attrgetter, itemgetter
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from hophoop.fitting.channels import Floats, Values
+from hophoop.fitting.channels import Floats, Values, rotation_of
 from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.problem import Run, merge_bounces
 from hophoop.scenario import InputError
@@ -37,11 +38,12 @@ class Rates(NamedTuple):
     error: Floats  # of the rate
 
 
-def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
-    """Return values and rates at times, from a parabola through the data around each.
-
-    t, values, errors: shape (n,), times [s], data and their standard deviations [1].
-    """
+def rates_of(run: Run, name: str) -> Rates | None:
+    """Return values and rates of a channel, from a parabola around each; None if it was not measured, or too seldom."""
+    channel = run.channel(name)
+    if channel is None or len(channel.rows) < LEAST:
+        return None
+    t, values, errors = run.t[channel.rows], channel.values, channel.errors
     half = max(LEAST // 2, round(0.5 * WIDTH / float(np.median(np.diff(t)))))
     width = min(2 * half + 1, len(t))
     found = []
@@ -54,18 +56,11 @@ def rates(t: Floats, values: Floats, errors: Floats) -> Rates:
     return Rates(t, *np.concatenate(found, axis=1))
 
 
-def rates_of(run: Run, name: str) -> Rates | None:
-    """Return the rates of a channel; None if it was not measured, or too seldom."""
-    channel = run.channel(name)
-    if channel is None or len(channel.rows) < LEAST:
-        return None
-    return rates(run.t[channel.rows], channel.values, channel.errors)
-
-
-def slip_of(run: Run, x: Rates, angle: Rates) -> tuple[Floats, Floats]:
-    """Return the slip velocity at the times of the angle, and its standard deviation [m/s]."""
+def slips(run: Run, x: Rates, angle: Rates) -> NDArray[np.bool_]:
+    """Return True at times of the angle at which the hoop slips, by more than its errors."""
     slip = np.interp(angle.t, x.t, x.rate) - run.radius * angle.rate
-    return slip, np.hypot(np.interp(angle.t, x.t, x.error), run.radius * angle.error)
+    error = np.hypot(np.interp(angle.t, x.t, x.error), run.radius * angle.error)
+    return np.abs(slip) > SLIPS * error + 0.02 * np.abs(run.radius * angle.rate)
 
 
 def start_kind(run: Run) -> str:
@@ -75,41 +70,33 @@ def start_kind(run: Run) -> str:
         return "rolling"
     if y is not None and (y.values - run.radius > np.maximum(6.0 * y.errors, 3e-3 * run.radius))[:3].all():
         return "flying"
-    slip, error = slip_of(run, x, angle)
-    return "sliding" if abs(slip[0]) > max(SLIPS * error[0], 0.03 * abs(x.rate[0])) else "rolling"
+    return "sliding" if slips(run, x, angle)[0] else "rolling"
 
 
-def guess(run: Run, values: Values) -> Values:
+def guess(run: Run, values: Values, free: Collection[str]) -> Values:
     """Guess parameters from the data: the start from the first frames, the share of the load from the energy in rolling.
 
-    values: known and default values.
+    values: known and default values; free: parameters that are guessed.
     """
-    result = {name: one.usual for name, one in PARAMETERS.items()} | values
+    result: dict[str, Any] = {name: PARAMETERS[name].usual for name in ("gamma", "speed")} | values
     x, y, angle, omega, marker = (rates_of(run, name) for name in ("x", "y", "angle", "omega", "marker_x"))
-    if x is not None:
-        result |= {"x0": x.value[0], "speed": x.rate[0]}
+    if angle is not None:
+        turned, spans = angle.value - values["marker_angle"], SPANS
+        if x is not None:
+            rolled = int(np.argmax([*slips(run, x, angle), True]))
+            spans = (max(rolled, ROLLING) / len(angle.t),)
+        result |= load_of_turning(run, turned, angle.rate, spans, values["slope"], True)
+    elif omega is not None:
+        result |= load_of_turning(run, rotation_of(omega.t, omega.value), omega.value, SPANS, values["slope"], False)
+    if x is not None and y is not None:
+        result |= {"x0": x.value[0], "speed": x.rate[0], "height0": max(y.value[0] - run.radius, 0.0), "vy0": y.rate[0]}
+        tilt = np.arctan(np.polyfit(x.value, y.value, 1)[0])
+        seen = abs(tilt) > 1e-3 and np.ptp(x.value) > run.radius
+        result |= {"origin_y": np.quantile(y.value, 0.1) - run.radius, "tilt": tilt if seen else 0.0}
     elif marker is not None:
         result["speed"], result["x0"] = np.polyfit(marker.t, marker.value, 1)  # the marker revolves about the centre
-    if y is not None:
-        result |= {"height0": max(y.value[0] - run.radius, 0.0), "vy0": y.rate[0]}
-        result["origin_y"] = np.quantile(y.value, 0.1) - run.radius
-        if x is not None and not values["tilt"] and np.ptp(x.value) > run.radius:
-            tilt = np.arctan(np.polyfit(x.value, y.value, 1)[0])
-            result["tilt"] = tilt if abs(tilt) > 1e-3 else 0.0
-    if angle is not None:
-        turned, rate, spans = angle.value - values["marker_angle"], angle.rate, SPANS
-        if x is not None:
-            slip, error = slip_of(run, x, angle)
-            slips = np.abs(slip) > SLIPS * error + 0.02 * np.abs(run.radius * rate)
-            spans = (max(int(np.argmax([*slips, True])), ROLLING) / len(slips),)
-        result |= load_of_turning(run, turned, rate, spans, values["slope"], True)
-    elif omega is not None:
-        turned = np.cumsum(0.5 * (omega.value[1:] + omega.value[:-1]) * np.diff(omega.t))
-        result |= load_of_turning(run, np.concatenate([[0.0], turned]), omega.value, SPANS, values["slope"], False)
-    if x is None and (angle is not None or omega is not None):
-        result["speed"] = run.radius * result["omega0"]
     result |= {"vx0": result["speed"], "eccentricity": result["gamma"], "inertia_ratio": 1.0 - result["gamma"] ** 2}
-    return {name: float(result[name]) for name in values}
+    return {name: float(result[name]) if name in free else value for name, value in values.items()}
 
 
 def load_of_turning(run: Run, turned: Floats, omega: Floats, spans: Sequence[float], slope: float, known: bool) -> Values:
@@ -131,10 +118,10 @@ def load_of_turning(run: Run, turned: Floats, omega: Floats, spans: Sequence[flo
     for share in spans:
         count = max(round(share * len(omega)), ROLLING)
         answer, *_ = np.linalg.lstsq(design[:count], right[:count], rcond=None)
-        found.append((float(np.std(design[:count] @ answer - right[:count])) / share, answer))
+        found.append((np.std(design[:count] @ answer - right[:count]) / share, answer))
     _, (cos, _, *sin) = min(found, key=itemgetter(0))
     load, angle = (np.hypot(cos, sin[0]), np.arctan2(sin[0], cos)) if sin else (cos, turned[0])
-    return {"gamma": float(np.clip(load, *SHARES)), "angle0": float(angle), "omega0": float(omega[0])}
+    return {"gamma": np.clip(load, *SHARES), "angle0": angle, "omega0": omega[0], "speed": run.radius * omega[0]}
 
 
 class Candidate(NamedTuple):
@@ -156,26 +143,29 @@ def candidates(run: Run, first: Values, free: set[str], seed: int = 0, draws: in
     rng = np.random.default_rng(seed)
     found: list[Candidate] = []
     for k in range(draws):
-        values = dict(first)
-        if k:
-            drawn = {name: float(rng.uniform(*ends)) for name, ends in SPREADS.items() if name in free}
-            drawn |= {name: values[name] * float(1.0 + NEAR * rng.uniform(-1, 1)) for name in SPEEDS if name in free}
-            # a hoop that hops at once does not roll for long enough to guess the load
-            if "gamma" in free and (width := rng.choice([0.0, 0.1, 0.9])):
-                drawn["gamma"] = float(np.clip(first["gamma"] + width * rng.uniform(-1, 1), *SHARES))
-            if "omega" in run.measured and rng.random() < 0.5:
-                drawn["angle0"] = first["angle0"] + float(rng.normal(0.0, 0.3))
-            elif not run.measured & {"angle", "omega"}:
-                drawn |= {"angle0": float(rng.uniform(-np.pi, np.pi)), "gamma": float(rng.uniform(0.2, 0.9))}
-            values |= {name: value for name, value in drawn.items() if name in free}
+        values = first | _drawn(run, first, free, rng) if k else first
         try:
             motion = run.motion(values)
         except InputError:
             continue
         off = run.distances(run.places(motion, values), values)
         # cut large residuals: the part of the film that agrees counts
-        found.append(Candidate(values, merge_bounces(motion.sequence), float(np.log1p(off**2).sum())))
+        found.append(Candidate(values, merge_bounces(motion.sequence), np.log1p(off**2).sum()))
     best: dict[str, list[Candidate]] = {}
     for one in sorted(found, key=COST):
         best.setdefault(one.sequence[:12], []).append(one)
     return sorted((one for group in list(best.values())[:SEQUENCES] for one in group[:A_SEQUENCE]), key=COST)
+
+
+def _drawn(run: Run, first: Values, free: set[str], rng: np.random.Generator) -> Values:
+    """Draw free parameters around a guess, or from all that is usual where the data do not show them at once."""
+    drawn = {name: rng.uniform(*ends) for name, ends in SPREADS.items() if name in free}
+    drawn |= {name: first[name] * (1.0 + NEAR * rng.uniform(-1, 1)) for name in SPEEDS if name in free}
+    # a hoop that hops at once does not roll for long enough to guess the load
+    if "gamma" in free and (width := rng.choice([0.0, 0.1, 0.9])):
+        drawn["gamma"] = float(np.clip(first["gamma"] + width * rng.uniform(-1, 1), *SHARES))
+    if "omega" in run.measured and rng.random() < 0.5:
+        drawn["angle0"] = first["angle0"] + rng.normal(0.0, 0.3)
+    elif not run.measured & {"angle", "omega"}:
+        drawn |= {"angle0": rng.uniform(-np.pi, np.pi), "gamma": rng.uniform(0.2, 0.9)}
+    return {name: value for name, value in drawn.items() if name in free}

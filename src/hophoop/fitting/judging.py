@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Sequence
 from contextlib import suppress
-from itertools import groupby
 from typing import Any
 
 import numpy as np
@@ -39,12 +38,8 @@ def correlations(names: Sequence[str], covariance: Floats, known: Collection[str
     with np.errstate(divide="ignore", invalid="ignore"):  # a singular problem has negative variances
         size = np.sqrt(np.diag(covariance))
         matrix = covariance / np.outer(size, size)
-    pairs = [
-        (names[i], names[j], float(matrix[i, j]))
-        for i in range(len(names))
-        for j in range(i)
-        if abs(matrix[i, j]) > CORRELATED and not {names[i], names[j]} <= set(known)
-    ]
+    strong = np.argwhere(np.abs(np.tril(matrix, -1)) > CORRELATED)
+    pairs = [(names[i], names[j], float(matrix[i, j])) for i, j in strong if not {names[i], names[j]} <= set(known)]
     return sorted(pairs, key=lambda pair: -abs(pair[2]))
 
 
@@ -68,16 +63,15 @@ def shares(problem: Problem, values: Values, free: Sequence[str], covariance: Fl
 def runs_deviation(residuals: Floats) -> float:
     """Return the deviation of the number of runs of one sign from its expectation (Wald–Wolfowitz test).
 
-    deviation: negative if neighbours are alike; 0 if all must have one sign [standard deviations].
+    deviation: negative if neighbours are alike [standard deviations].
     """
     signs = residuals > 0
-    above, below = int(signs.sum()), int((~signs).sum())
-    count = above + below
-    if above == 0 or below == 0:
-        return -np.sqrt(count) if count > 1 else 0.0
-    usual = 2.0 * above * below / count + 1.0
+    count, above = len(signs), int(signs.sum())
+    if above in (0, count):
+        return -float(np.sqrt(count))
+    usual = 2.0 * above * (count - above) / count + 1.0
     spread = np.sqrt(max((usual - 1.0) * (usual - 2.0) / (count - 1.0), 1e-12))
-    return float((sum(1 for _ in groupby(signs)) - usual) / spread)
+    return float((1 + np.count_nonzero(np.diff(signs)) - usual) / spread)
 
 
 def misfits(problem: Problem, motions: list[Trajectory], residuals: Floats) -> list[dict[str, Any]]:
@@ -91,7 +85,8 @@ def misfits(problem: Problem, motions: list[Trajectory], residuals: Floats) -> l
         phase = np.array([PHASES[letter] for letter in modes])
         for word in dict.fromkeys(phase.tolist()):
             part = residuals[piece][phase == word]
-            if len(part) >= FEWEST and (part**2).mean() > ROUNDING and (deviation := runs_deviation(part)) < RUNS:
-                spread = float(np.sqrt((part**2).mean()))
+            square, deviation = float((part**2).mean()), runs_deviation(part)
+            if len(part) >= FEWEST and square > ROUNDING and deviation < RUNS:
+                spread = square**0.5
                 found.append({"run": k, "quantity": channel.name, "phase": word, "deviation": deviation, "spread": spread})
     return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -64,9 +64,10 @@ def with_limits(solution: Solution, wanted: Sequence[str]) -> tuple[Solution, Li
         elif agreed or name not in solution.free:
             limits[name] = NOT_SEEN
             solution = solution.without(name)
-        for end in near if not agreed else ():
-            size = np.sqrt((end.found.cost - here.cost) / spread)  # distance to the end in standard deviations
-            solution = solution.with_error(name, abs(end.value - here.values[name]) / size)
+        else:
+            for end in near:
+                size = np.sqrt((end.found.cost - here.cost) / spread)  # distance to the end in standard deviations
+                solution = solution.with_error(name, abs(end.value - here.values[name]) / size)
     limits |= {name: NOT_SEEN for name in wanted if name not in (*solution.free, *limits)}
     for change in changes:
         own = np.array([change.get(name, 0.0) for name in solution.free])
@@ -108,28 +109,25 @@ def _ends(solution: Solution, name: str) -> list[End]:
 def _limit(solution: Solution, name: str, end: End) -> tuple[float, Values]:
     """Return the limit of a parameter from an end of its range, and all values there."""
     one, begin = solution.params[name], min(solution.minimum, end.found, key=COST)
-    ends = begin.values[name], one.max if end.value == one.min else one.min
-    return _reach(solution, begin, lambda value: {name: value}, ends, 0.01 * min(one.max - one.min, 1.0))
+    return _reach(solution, begin, name, one.max if end.value == one.min else one.min, 0.01 * min(one.max - one.min, 1.0))
 
 
-def _reach(
-    solution: Solution, begin: Minimum, hold: Callable[[float], Values], ends: tuple[float, float], step: float
-) -> tuple[float, Values]:
-    """Go from a minimum as far as the sum of squares permits, with the other parameters fitted.
+def _reach(solution: Solution, begin: Minimum, name: str, end: float, step: float) -> tuple[float, Values]:
+    """Move a parameter from a minimum towards an end as far as the sum of squares permits, with the others fitted.
 
-    hold: parameters that a place fixes; ends: the first place and the last possible one; step: the first one.
+    step: the first one.
     """
     allowed = begin.cost + CONFIDENT * solution.spread
-    near, values, far, step = ends[0], begin.values, np.nan, float(np.copysign(step, ends[1] - ends[0]))
+    values, start, far = begin.values, begin.values[name], np.nan
+    near, step = start, float(np.copysign(step, end - start))
     for _ in range(STEPS):
-        place = float(np.clip(near + step, min(ends), max(ends)))
-        fixed = hold(place)
-        there = minimize(solution.problem, changed(solution.params, values | fixed, fixed))
+        place = float(np.clip(near + step, min(start, end), max(start, end)))
+        there = minimize(solution.problem, changed(solution.params, values | {name: place}, [name]))
         if there.cost > allowed:
             far, step = place, 0.5 * (place - near)
         else:
             near, values, step = place, there.values, 0.5 * (far - place) if np.isfinite(far) else 2.0 * step
-        if near == ends[1] or abs(step) < FINE * abs(near - ends[0]):
+        if near == end or abs(step) < FINE * abs(near - start):
             break
     return near, values
 
@@ -143,14 +141,12 @@ def least_friction(params: Parameters, solution: Solution) -> float:
     needed = max(least_static_friction(motion) for motion in solution.problem.motions(solution.minimum.values))
     if any(one.expr for one in params.values()):
         return needed
-    parts = parts_of("mu_static")
-    given = sum(params[name].value for name in parts if not params[name].vary)
-    name, *others = (name for name in parts if params[name].vary)
-
-    def hold(friction: float) -> Values:
-        return {name: max(friction - given, 0.0)} | dict.fromkeys(others, 0.0)
-
-    return _reach(solution, solution.minimum, hold, (needed, 0.0), 0.02 * needed)[0]
+    parts = [params[name] for name in parts_of("mu_static")]
+    given: float = sum(one.value for one in parts if not one.vary)
+    name, *others = (one.name for one in parts if one.vary)
+    begin = changed(solution.minimum.params, {name: max(needed - given, 0.0)} | dict.fromkeys(others, 0.0))
+    minimum = solution.minimum._replace(params=begin)
+    return given + _reach(solution._replace(minimum=minimum), minimum, name, 0.0, 0.02 * needed)[0]
 
 
 def least_static_friction(motion: Trajectory, points: int = 2000) -> float:

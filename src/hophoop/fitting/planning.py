@@ -8,7 +8,7 @@ from operator import attrgetter
 import numpy as np
 
 from hophoop._support.errors import check_type
-from hophoop.fitting.channels import Values
+from hophoop.fitting.channels import Values, with_errors
 from hophoop.fitting.fitting import Settings, fit_near
 from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.problem import RIM_ERROR
@@ -83,13 +83,12 @@ def plan(
     count = int(motion.duration * rate) + 1
     if not 12 <= count <= MOST_FRAMES:
         raise InputError(f"The record would have {count} frames; a plan needs 12 to {MOST_FRAMES:,}.")
-    t, one, radius, view = np.arange(count) / rate, np.ones(count), scenario.hoop.radius, None
+    t, radius, view = np.arange(count) / rate, scenario.hoop.radius, None
     state = motion.at(t)
-    columns = {"x": state.x, "y": state.height + radius, "sigma_x": sigma * one, "sigma_y": sigma * one}
     if sigma_omega is not None:
-        columns = {"omega": state.omega, "sigma_omega": sigma_omega * one}
-    elif sigma_angle is not None:
-        columns |= {"angle": state.angle, "sigma_angle": sigma_angle * one}
+        columns = {"omega": state.omega}
+    else:
+        columns = {"x": state.x, "y": state.height + radius} | ({} if sigma_angle is None else {"angle": state.angle})
     if sigma_scale and sigma_omega is None:
         pixels = RIM_ERROR / (sigma_scale * radius)  # per metre
         view = View(Camera(2, 2, 1.0), pixels, 0.0, 0.0, 0.0, scale_error=sigma_scale, height_error=0.0)
@@ -97,21 +96,20 @@ def plan(
     ideal = scenario.hoop.load_fraction is not None
     hoop = scenario.hoop if hoop_known or scenario.hoop.massless else "ideal" if ideal else "general"
     known = _known(scenario)
-    held = {name: known.get(name, PARAMETERS[name].usual if name in PARAMETERS else 0.0) for name in fixed}
-    return fit_near(track, Settings(hoop, _start(scenario), held, free, plane=scenario.plane), known)
+    how = Settings(hoop, _start(scenario), {name: known.get(name, 0.0) for name in fixed}, free, plane=scenario.plane)
+    errors = {"places": sigma, "angles": sigma_angle, "omegas": sigma_omega}
+    return fit_near(with_errors(track, errors), how, known)
 
 
 def _start(scenario: Scenario) -> str:
     start = scenario.start
-    if start.speed is not None:
-        return "rolling"
     if start.height > 0 or start.vy > 0:
         return "flying"
     return "rolling" if start.state(scenario.hoop).slip == 0.0 else "sliding"
 
 
 def _known(scenario: Scenario) -> Values:
-    """Values of the parameters in a scenario."""
-    known = {name: attrgetter(one.paths[-1])(scenario) for name, one in PARAMETERS.items() if one.paths}
+    """Values of the parameters, those in a scenario and others."""
+    known = {name: attrgetter(one.paths[-1])(scenario) if one.paths else one.usual for name, one in PARAMETERS.items()}
     known |= {"speed": scenario.start.vx, "mu_excess": known["mu_excess"] - known["mu_kinetic"]}
     return {name: float(value) for name, value in known.items() if value is not None}

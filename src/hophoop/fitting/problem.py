@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop.fitting.channels import Channel, Floats, Sigma, Values, channels_of
+from hophoop.fitting.channels import Channel, Floats, Values, channels_of
 from hophoop.fitting.losses import loss
 from hophoop.fitting.parameters import HOOPS, SHARED, STARTS, spec
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
@@ -123,15 +123,15 @@ class Run:
     def seen(self, state: Any, values: Values) -> dict[str, Floats]:
         """Predicted data of states (x, height, angle, omega), by name of the channel [m, rad or rad/s]."""
         marked = state.angle + values["marker_angle"]
-        x, y = state.x * (1.0 + values["stretch"] * state.x), state.height + self.radius
-        size = values["scale"] * values.get("radius", 1.0)
-        cos, sin = size * np.cos(values["tilt"]), size * np.sin(values["tilt"])
         # a sensor has a clock of its own; among places an angular velocity comes from their times
         pace = self.pace(values) / (1.0 if len(self.channels) > 1 else values.get("times", 1.0))
         result = {"angle": marked - values["tilt"], "omega": pace * state.omega + values.get("omega_offset", 0.0)}
-        reach = values["marker_ratio"] * self.radius
-        for mark, along, up in (("", x, y), ("marker_", x + reach * np.sin(marked), y + reach * np.cos(marked))):
-            result |= {f"{mark}x": cos * along - sin * up, f"{mark}y": values["origin_y"] + sin * along + cos * up}
+        # places are complex: x and y
+        centre = state.x * (1.0 + values["stretch"] * state.x) + 1j * (state.height + self.radius)
+        arm = values["marker_ratio"] * self.radius * (np.sin(marked) + 1j * np.cos(marked))
+        axes = values["scale"] * values.get("radius", 1.0) * np.exp(1j * values["tilt"])
+        for mark, place in (("", axes * centre), ("marker_", axes * (centre + arm))):
+            result |= {f"{mark}x": place.real, f"{mark}y": values["origin_y"] + place.imag}
         return result
 
     def residuals(self, values: Values) -> Floats:
@@ -220,11 +220,10 @@ def merge_bounces(sequence: str) -> str:
     return re.sub("HH+", "H+", sequence)
 
 
-def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: Sigma) -> Run:
+def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane) -> Run:
     """Return the run of a track.
 
-    hoop: the known hoop, or the kind of an unknown one; start: a key of STARTS; plane: gravity and the impact law; sigma:
-    standard deviations in place of the track's own.
+    hoop: the known hoop, or the kind of an unknown one; start: a key of STARTS; plane: gravity and the impact law.
     """
     radius = track.radius
     if isinstance(hoop, Hoop):
@@ -235,7 +234,7 @@ def run_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: Sigm
             )
     if not 0.0 < radius < np.inf:
         raise InputError("The radius of the hoop is missing from the data: give --radius, in m, or radius= in a Reading.")
-    channels = channels_of(track, sigma)
+    channels = channels_of(track)
     used = np.concatenate([channel.rows for channel in channels])
     first, last = int(used.min()), int(used.max())
     t, rows = track.t[first : last + 1], track.pixel[first : last + 1, 1]

@@ -75,14 +75,14 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
 def _page(fit: Fit, film: str | None) -> str:
     residuals: list[Row] = []
     modes: dict[str, str] = {}
-    for k, channel, _ in fit.problem.pieces:
+    for (k, channel, _), off in zip(fit.problem.pieces, fit.residuals.values(), strict=True):
         run, parts = fit.problem.runs[k], phases(fit.motions[k])
         modes |= {part.word: colors.mode_color(part.word) for part in parts}
         unit, errors = next(kind.unit for kind in KINDS.values() if channel.name in kind.channels), 1e3 * channel.errors
         of_run = f", run {k + 1}" if fit.alone else ""
         label = f"{channel.name} ({unit}){of_run}, one standard deviation {float(np.median(errors)):.2g}"
         ribbon = [(part.t, part.end_t, modes[part.word]) for part in parts]
-        residuals.append(Row(label, run.t[channel.rows], fit.residuals[channel.name + run.suffix] * errors, ribbon))
+        residuals.append(Row(label, run.t[channel.rows], off * errors, ribbon))
     return render(
         need("jinja2", "fit"),
         "fitting/fit.html",

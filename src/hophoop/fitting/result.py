@@ -12,17 +12,18 @@ import numpy as np
 from hophoop._support import tables
 from hophoop._support.extras import need
 from hophoop._version import __version__
-from hophoop.fitting.channels import KINDS, Floats, Sigma, Values
+from hophoop.fitting.channels import KINDS, Floats, Values
 from hophoop.fitting.covariance import correlated_frames
 from hophoop.fitting.judging import WORDS, correlations, misfits, shares
 from hophoop.fitting.parameters import SHARED, parts_of, spec
 from hophoop.fitting.problem import Prior, Problem, problem_of, run_of
 from hophoop.fitting.solving import parameters
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
+from hophoop.scenario.formats import read_text
 from hophoop.simulation.trajectory import Trajectory
 from hophoop.tracking import Track
 from hophoop.tracking.doubts import DOUBT
-from hophoop.tracking.table import complete, parse_json, track_from_dict, write_json
+from hophoop.tracking.table import complete, track_from_dict, write_json
 
 if TYPE_CHECKING:
     from lmfit import Parameters
@@ -67,7 +68,7 @@ class Fit:
     tracks : tuple of Track
         The data of each run; errors that they lack are their scatter.
     settings : dict
-        Settings of the fit: starts, hoop, gravity, law, robust, sigma, derived, free, bounds, tied, priors.
+        Settings of the fit: starts, hoop, gravity, law, robust, derived, free, bounds, tied, priors.
     alone : tuple of Fit
         With several runs, the fit of each alone.
     mistaken : bool
@@ -143,9 +144,10 @@ class Fit:
         ValueError
             If there is no such parameter.
         """
-        if not set(parts_of(name)) <= set(self.values):
+        parts = parts_of(name)
+        if not set(parts) <= set(self.values):
             raise InputError(f"{name!r} is none of {', '.join(self.values)}.")
-        places = [self.free.index(part) for part in parts_of(name) if part in self.free]
+        places = np.isin(self.free, parts)
         variance = float(self.covariance[np.ix_(places, places)].sum())
         # a singular problem has negative variances
         return self.inflation * variance**0.5 if variance >= 0 else float("nan")
@@ -165,11 +167,11 @@ class Fit:
         """Data and model."""
         how = self.settings
         hoop = Hoop(**how["hoop"]) if isinstance(how["hoop"], dict) else how["hoop"]
-        plane, sigma = Plane(gravity=how["gravity"], impact_law=how["law"]), Sigma(*how["sigma"])
-        runs = []
-        for track, start, priors in zip(self.tracks, how["starts"], how["priors"], strict=True):
-            run = run_of(track, hoop, start, plane, sigma)
-            runs.append(replace(run, priors={name: Prior(*pair) for name, pair in priors.items()}))
+        plane = Plane(gravity=how["gravity"], impact_law=how["law"])
+        runs = [
+            replace(run_of(track, hoop, start, plane), priors={name: Prior(*pair) for name, pair in priors.items()})
+            for track, start, priors in zip(self.tracks, how["starts"], how["priors"], strict=True)
+        ]
         return problem_of(runs, how["robust"])
 
     @property
@@ -343,8 +345,8 @@ class Fit:
         for run, track in zip(self.problem.runs, self.tracks, strict=True):
             name = run.named("slope")
             if track.view is not None and name in self.free:
-                slope, error = self.values[name], float(np.degrees(self.error(name)))
-                fall, roll = (float(np.degrees(angle)) for angle in (slope, slope + track.view.rise))
+                slope = self.values[name]
+                fall, roll, error = np.degrees([slope, slope + track.view.rise, self.error(name)]).tolist()
                 if abs(roll) > max(CERTAIN * error, LEVEL):
                     said.append(
                         f"The camera is turned by {format_value(roll, error)}°, and the plane falls by "
@@ -472,8 +474,8 @@ def load_fit(path: str | Path) -> Fit:
         If it cannot be read.
     """
     file = Path(path)
-    data = parse_json(file.read_text(encoding="utf-8"), str(file))
-    if not isinstance(data, dict) or data.get("schema") != SCHEMA:
+    data = read_text(file.read_text(encoding="utf-8"), "json", str(file))
+    if data.get("schema") != SCHEMA:
         raise InputError(f"{file} is not a fit of hophoop ({SCHEMA}).")
     with complete(str(file)):
         tracks = [track_from_dict(one, str(file)) for one in data["tracks"]]

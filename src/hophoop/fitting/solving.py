@@ -106,8 +106,8 @@ class Solution(NamedTuple):
 def parameters(
     values: Values,
     free: Sequence[str],
-    bounds: Mapping[str, Sequence[float]] | None = None,
-    tied: Mapping[str, str] | None = None,
+    bounds: Mapping[str, Sequence[float]] = {},
+    tied: Mapping[str, str] = {},
 ) -> Parameters:
     """Return lmfit's parameters.
 
@@ -116,19 +116,19 @@ def parameters(
     lmfit = need("lmfit", "fit")
     result = lmfit.Parameters()
     for name, value in values.items():
-        low, high = (bounds or {}).get(name, (-np.inf, np.inf))
+        low, high = bounds.get(name, (-np.inf, np.inf))
         low, high = max(low, spec(name).low), min(high, spec(name).high)
         # a value that is given is kept, also outside of the range of a fit
         ends = {"min": low, "max": high} if name in free else {}
         result.add(name, value, vary=name in free, **ends)
-    for name, text in (tied or {}).items():
+    for name, text in tied.items():
         kind = spec(name)
         try:
             result[name].set(expr=text)
             result.update_constraints()
             known = kind.low <= result[name].value <= kind.high and "open" not in text  # no files
         except RecursionError:
-            raise InputError(f"tied parameters ({', '.join(tied or ())}) depend on each other in a circle.") from None
+            raise InputError(f"tied parameters ({', '.join(tied)}) depend on each other in a circle.") from None
         except Exception:  # whatever an expression can do wrong
             known = False
         if not known:
@@ -319,9 +319,10 @@ def _without_slip(problem: Problem, params: Parameters, best: Minimum) -> Minimu
     if not friction.vary or tied or not slips(problem, best.values):
         return best
     for value in (ENOUGH, friction.max):
-        values = changed(params, best.values | {"mu_kinetic": value}).valuesdict()
+        start = changed(params, best.values | {"mu_kinetic": value})
+        values = start.valuesdict()
         if problem.cost(values) < WORTH_TRYING * best.cost and not slips(problem, values):
-            other = minimize(problem, changed(params, values))
+            other = minimize(problem, start)
             alike = other.cost < best.cost + CONFIDENT * problem.spread(best.cost, len(free_of(params)))
             return other if alike and not slips(problem, other.values) else best
     return best
