@@ -47,8 +47,8 @@ class Settings:
         """Return the settings of one of several runs: its own parameters without their number, and no others'."""
 
         def own(given: Mapping[str, Any]) -> dict[str, Any]:
-            pairs = [(split_number(name), value) for name, value in given.items()]
-            return {name: value for (name, run), value in pairs if run in (0, number)}
+            parts = {name: split_number(name) for name in given}
+            return {name: given[key] for key, (name, run) in parts.items() if run in (0, number)}
 
         free = own(dict.fromkeys(self.free))
         return replace(self, fixed=own(self.fixed), free=list(free), bounds=own(self.bounds), tied=own(self.tied))

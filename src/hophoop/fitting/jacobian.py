@@ -9,10 +9,11 @@ import numpy as np
 
 from hophoop.derivatives.results.propagation import propagate
 from hophoop.fitting.channels import Floats, Values
-from hophoop.fitting.parameters import TIMED, spec
+from hophoop.fitting.parameters import PARAMETERS, TIMED, ParameterSpec
 from hophoop.fitting.problem import Problem, Run
 
 FIELDS = ("x", "height", "angle", "omega")
+NONE = ParameterSpec("", "")
 STEP = 1e-6  # along the derivatives of the state; the data are nearly linear in it
 
 
@@ -25,16 +26,16 @@ def exact_slopes(problem: Problem, values: Values, names: Sequence[str]) -> Floa
     blocks = []
     for run in problem.runs:
         own = {run.named(name): name for name in run.names}
-        mine = [k for k, name in enumerate(names) if name in own]
-        block = np.zeros((run.count, len(names)))
-        block[:, mine] = _of_run(run, run.own(values), [own[names[k]] for k in mine])
-        blocks.append(block)
+        blocks.append(_of_run(run, run.own(values), [own.get(name, "") for name in names]))
     return np.concatenate(blocks)
 
 
 def _of_run(run: Run, values: Values, names: list[str]) -> Floats:
-    """Columns of one run: the data follow the changes of the state and of the camera, shape (count, len(names))."""
-    motion, specs = run.motion(values), [spec(name) for name in names]
+    """Columns of one run: the data follow the changes of the state and of the camera, shape (count, len(names)).
+
+    names: '' for parameters of other runs.
+    """
+    motion, specs = run.motion(values), [PARAMETERS.get(name, NONE) for name in names]
     times = run.moments(motion, values)
     here, changes = motion.at(times), {field: np.zeros((len(names), len(times))) for field in FIELDS}
     paths = tuple(dict.fromkeys(path for one in specs for path in one.paths))

@@ -185,7 +185,7 @@ def shutter(solution: Solution, tracks: Sequence[Track]) -> list[str]:
     """Name the rolling shutter if the motion is closer to films that were tracked without it, by more than chance."""
     problem, params = solution.problem, solution.minimum.params.copy()
     most = {  # a picture is read before the next one is
-        run.named("row_delay"): float(np.median(np.diff(track.t))) / track.view.camera.height
+        run.named("row_delay"): np.median(np.diff(track.t)) / track.view.camera.height
         for run, track in zip(problem.runs, tracks, strict=True)
         if track.view is not None and not track.view.row_delay and run.rows.any()
     }
@@ -273,5 +273,5 @@ def _window(run: Run, asked: Asked, allowed: float) -> list[str]:
 def _way(run: Run) -> float:
     """Distance of the hoop over the radius, or its rotation [1]."""
     ways = {"x": run.radius, "marker_x": run.radius, "angle": 1.0}
-    found = [float(np.ptp(one.values)) / ways[one.name] for one in run.channels if one.name in ways]
+    found = [np.ptp(one.values) / ways[one.name] for one in run.channels if one.name in ways]
     return max(found, default=float(np.abs(run.channels[0].values).mean() * run.t[-1]))  # of a phone

@@ -75,7 +75,7 @@ def plan(
     ['mu_excess', 'mu_kinetic', 'mu_static', 'restitution']
     """
     require_above_0(rate=rate, sigma=sigma, sigma_angle=sigma_angle, sigma_omega=sigma_omega)
-    if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
+    if not 0.0 <= sigma_scale < np.inf:
         raise InputError.of_field("sigma_scale", sigma_scale, "a number of at least 0")
     require_above_0(sigma_scale=sigma_scale or None)
     check_type("scenario", scenario, Scenario)

@@ -265,9 +265,9 @@ def shared_errors(track: Track) -> dict[str, Prior]:
     view = track.view
     if view is None or not track.placed:
         return {}
-    height = float(np.hypot(view.height_error, view.scale_error * track.radius))
+    height = np.hypot(view.height_error, view.scale_error * track.radius)
     # the tilt of the plane of motion is found from sizes of the rim
-    way = float(np.nanmax(track.centre[:, 0]) - np.nanmin(track.centre[:, 0]))
+    way = np.nanmax(track.centre[:, 0]) - np.nanmin(track.centre[:, 0])
     found = {
         "stretch": Prior(0.0, RIM_ERROR / (view.scale * track.radius * way)),
         "scale": Prior(1.0, view.scale_error),

@@ -93,7 +93,7 @@ class Fit:
     @cached_property
     def chi_square(self) -> float:
         """Sum of the squared residuals over their variances [1]."""
-        return float((self.problem.residuals(self.values) ** 2).sum())
+        return float((self._off**2).sum())
 
     @property
     def degrees_of_freedom(self) -> int:
@@ -182,8 +182,7 @@ class Fit:
     @cached_property
     def scenario(self) -> Scenario:
         """The fitted motion's scenario, for the lab or another duration; that of the first run."""
-        run = self.problem.runs[0]
-        return run.scenario(run.own(self.values))
+        return self.motion.scenario
 
     @cached_property
     def motions(self) -> list[Trajectory]:
@@ -196,10 +195,14 @@ class Fit:
         return self.motions[0]
 
     @cached_property
+    def _off(self) -> Floats:
+        """Data and priors minus motion, shape (count,) [standard deviations]."""
+        return self.problem.residuals(self.values)
+
+    @cached_property
     def residuals(self) -> dict[str, Floats]:
         """Data minus motion in standard deviations, by quantity, with the number of the run if there are several [1]."""
-        problem, off = self.problem, self.problem.residuals(self.values)
-        return {channel.name + problem.runs[k].suffix: off[part] for k, channel, part in problem.pieces}
+        return {channel.name + self.problem.runs[k].suffix: self._off[part] for k, channel, part in self.problem.pieces}
 
     @cached_property
     def shares(self) -> Values:
@@ -214,7 +217,7 @@ class Fit:
     @property
     def misfits(self) -> list[dict[str, Any]]:
         """Quantities and phases whose residuals have too few runs."""
-        return misfits(self.problem, self.motions, self.problem.residuals(self.values))
+        return misfits(self.problem, self.motions, self._off)
 
     @property
     def von_neumann(self) -> float:
@@ -300,10 +303,9 @@ class Fit:
             if not one.good
         ]
         chances = {name: self.agreement(name) for name in SHARED}
-        seen = ", ".join(name for name, chance in chances.items() if chance > UNLIKELY)
         if off := ", ".join(name for name, chance in chances.items() if chance <= UNLIKELY):
             said.append(f"The runs do not agree in {off}: look at the table of runs, and for the run that differs.")
-        elif seen:
+        elif seen := ", ".join(name for name, chance in chances.items() if chance > UNLIKELY):
             said.append(f"The runs agree in {seen}.")
         return said
 
@@ -393,11 +395,10 @@ class Fit:
             f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
             for place in self.misfits
         ]
-        memory = correlated_frames(self.problem, self.problem.residuals(self.values))
         return said + [
             f"Errors of {WORDS[piece.channel.name]} are correlated ({frames:.1f} frames have the information of one); "
             "the uncertainties include that."
-            for piece, frames in zip(self.problem.pieces, memory, strict=True)
+            for piece, frames in zip(self.problem.pieces, correlated_frames(self.problem, self._off), strict=True)
             if frames > 1.0
         ]
 
