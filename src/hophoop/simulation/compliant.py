@@ -67,13 +67,13 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
     if pieces == 0:  # the limit was reached before any time passed: a segment of zero length holds the start
         pieces = 1
         rows[0] = 0.0
+        last = events[count - 1]
         rows[0, KIND] = RESTING if touching else FLY
-        rows[0, MODE] = events[count - 1]["after_mode"]
-        mode = events[count - 1]["after_mode"]
+        rows[0, MODE] = mode = last["after_mode"]
         rows[0, REGIME] = float(mode == Mode.SKID) - float(mode == Mode.SPIN)
-        rows[0, REVOLUTIONS] = events[count - 1]["revolutions"]
+        rows[0, REVOLUTIONS] = last["revolutions"]
         rows[0, FIRST :: STAGES + 1] = start
-        rows[0, FIRST + TH * (STAGES + 1)] = events[count - 1]["theta"]
+        rows[0, FIRST + TH * (STAGES + 1)] = last["theta"]
     segments = np.ascontiguousarray(rows[:pieces]).view(SEGMENT)[:, 0]
     return status, events[:count].copy(), segments
 
