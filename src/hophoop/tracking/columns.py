@@ -112,7 +112,7 @@ def split(text: str) -> Table:
             "save the table with semicolons."
         )
     if width > 1 and max(map(len, above), default=0) < 2:  # comments are heads where they are the only ones
-        heads_in_comments = (_divided(comment, width, separator) for comment in said[1 : counts[first]])
+        heads_in_comments = (_divided(comment, width, separator or "\t") for comment in said[1 : counts[first]])
         above = [cells for cells in heads_in_comments if len(cells) == width][-1:]
     comments = [said[count - 1] for count in counts[first:last]]
     below = " ".join(map(" ".join, rows[last:]))
@@ -142,9 +142,9 @@ def _rows(lines: list[str], separator: str) -> list[list[str]]:
     return [[GROUPS.sub("", cell.strip()) for cell in row] for row in rows]
 
 
-def _divided(line: str, width: int, sign: str = "") -> list[str]:
+def _divided(line: str, width: int, sign: str = "\t") -> list[str]:
     """Return the cells of a line between signs, blanks or several blanks, as many as the table has if possible."""
-    ways = [re.split(pattern, line.strip()) for pattern in (BLANKS, re.escape(sign or "\t"), r"\s{2,}|\s*[,;]\s*")]
+    ways = [re.split(pattern, line.strip()) for pattern in (BLANKS, re.escape(sign), r"\s{2,}|\s*[,;]\s*")]
     return next((cells for cells in ways if len(cells) == width), ways[0])
 
 

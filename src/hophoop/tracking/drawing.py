@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -103,13 +104,9 @@ def overlay(
         raise InputError("The track is not of a film, so it cannot be drawn over one.")
     if Path(film).suffix.lower() != ".mp4":
         raise InputError(f"film = {film} must end in .mp4.", field="film", value=film)
-    camera, count = track.view.camera, len(track.t)
+    camera, first, count = track.view.camera, track.view.first, len(track.t)
     with open_writer(Path(film), (camera.width, camera.height)) as add:
-        for picture in pictures(video, track.view.rate):
-            row = picture.row - track.view.first
-            if row >= count:
-                break
-            if row >= 0:
-                add(np.asarray(_draw_frame(picture, track, row, model)), picture.t)
-                if progress is not None:
-                    progress(row + 1, count)
+        for row, picture in enumerate(islice(pictures(video, track.view.rate), first, first + count)):
+            add(np.asarray(_draw_frame(picture, track, row, model)), picture.t)
+            if progress is not None:
+                progress(row + 1, count)

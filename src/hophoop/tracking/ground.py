@@ -66,8 +66,8 @@ def line_through(points: Floats, radius: float) -> Ground:
 
     points: shape (2, 2) [rectified pixels]; radius [rectified pixels].
     """
-    left, right = points[np.argsort(points[:, 0])]
+    left, right = np.sort(points @ [1.0, 1.0j])
     along = right - left
-    angle = float(np.arctan2(along[1], along[0]))
-    x, y = (left + radius * np.array([-np.sin(angle), np.cos(angle)])).tolist()
-    return Ground(x, y, angle, 0, True, CLICK, float(np.sqrt(2.0) * CLICK / np.hypot(*along)))
+    centre = complex(left + 1j * radius * along / abs(along))
+    error = float(np.sqrt(2.0) * CLICK / abs(along))
+    return Ground(centre.real, centre.imag, float(np.angle(along)), 0, True, CLICK, error)

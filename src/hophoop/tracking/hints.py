@@ -101,7 +101,6 @@ class Hints:
 def require_above_0(**values: float | None) -> None:
     """Refuse numbers that are not above 0, or so small that their squares vanish, by their fields; None is allowed."""
     for name, value in values.items():
-        if value is not None and not 0.0 < value < np.inf:
-            raise InputError.of_field(name, value, "a number above 0")
         if value is not None and not TINY <= value <= HUGE:
-            raise InputError.of_field(name, value, f"from {TINY:g} to {HUGE:g}")
+            positive = 0.0 < value < np.inf
+            raise InputError.of_field(name, value, f"from {TINY:g} to {HUGE:g}" if positive else "a number above 0")

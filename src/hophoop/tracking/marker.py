@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -157,13 +158,11 @@ def count_revolutions(t: Floats, angle: Floats) -> tuple[Floats, float | None]:
 
     t, angle: shape (n,), nan where unknown [s], [rad].
     """
-    whole, doubt, omega, last = angle.copy(), None, 0.0, None
-    for k in np.flatnonzero(np.isfinite(angle)):
-        if last is not None:
-            wait = t[k] - t[last]
-            whole[k] += 2 * np.pi * np.round((whole[last] + omega * wait - angle[k]) / (2 * np.pi))
-            if doubt is None and k > last + 1 and abs(omega) * wait > 0.5 * np.pi:
-                doubt = float(t[k])
-            omega = (whole[k] - whole[last]) / wait
-        last = k
+    whole, doubt, omega = angle.copy(), None, 0.0
+    for last, k in pairwise(np.flatnonzero(np.isfinite(angle))):
+        wait = t[k] - t[last]
+        whole[k] += 2 * np.pi * np.round((whole[last] + omega * wait - angle[k]) / (2 * np.pi))
+        if doubt is None and k > last + 1 and abs(omega) * wait > 0.5 * np.pi:
+            doubt = float(t[k])
+        omega = (whole[k] - whole[last]) / wait
     return whole, doubt

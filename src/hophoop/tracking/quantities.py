@@ -387,11 +387,12 @@ def check_times(sheet: Sheet, t: Floats) -> None:
         return  # refused by all tracks
     clock, step = sheet.used["t"], _usual_step(t)
     if len(t) >= FEWEST and not STEPS[0] <= step < STEPS[1] and "t" not in sheet.how.units:
-        known = clock.values[np.isfinite(clock.values)]
-        frames = not clock.unit and (np.diff(known) == 1).all()
+        frames = not clock.unit and (steps == 1).all()
         raise question(
             f"has times in {clock.label} with a step of {step:.3g} s, which no camera or sensor has",
-            "--rate 240, if these are frames (rate= in a Reading)" if frames else f"--unit t={_unit_of_times(known)}",
+            "--rate 240, if these are frames (rate= in a Reading)"
+            if frames
+            else f"--unit t={_unit_of_times(clock.values[np.isfinite(clock.values)])}",
         )
     if uneven(t):
         rate = 1.0 / step
@@ -449,7 +450,7 @@ def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> TableError:
 
 def _orient(sheet: Sheet, values: dict[str, Floats], t: Floats) -> None:
     """Count an angular velocity as that of a hoop that rolls to greater x: a sensor may look to either side."""
-    way = np.gradient(values["x"], t) if "x" in values else np.ones(len(t))
+    way = np.gradient(values["x"], t) if "x" in values else 1.0
     if np.nansum(values["omega"] * way) < 0:
         values["omega"] = -values["omega"]
         sheet.notes.append(f"The sign of {sheet.used['omega'].label} is reversed, for a hoop that rolls to the right.")

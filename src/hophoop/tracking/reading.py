@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import errno
-import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -41,12 +39,10 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         If it cannot be read.
     """
     file, how = Path(path), reading or Reading()
-    if not file.exists():
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
-    ending = file.suffix.lower()
+    size, ending = file.stat().st_size, file.suffix.lower()
     if ending in TRACKER:
         raise InputError(f"{file} is a project of Tracker: open it there and save its points with File, Export, Data.")
-    if file.stat().st_size > MOST_BYTES:
+    if size > MOST_BYTES:
         raise InputError(f"{file} is larger than {MOST_BYTES // 1_000_000} MB, which no track is.")
     if ending in SHEETS:
         raise InputError(f"{file} is a spreadsheet: save the sheet as CSV.")
@@ -57,14 +53,16 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
             raise InputError(
                 f"{file} is a track of hophoop, with columns and times of its own: columns, units and rate are for tables."
             )
-        return _completed(track_from_dict(data, str(file)), how)
-    if ending not in TABLES:
+        track = track_from_dict(data, str(file))
+    elif ending in TABLES:
+        try:
+            track = track_from_sheet(Sheet(how, *read_columns(text, how.rate)), file.name)
+        except TableError as error:
+            raise InputError(f"{file} {error}") from None
+    else:
         raise InputError(f"{file} must end in {', '.join((*OWN, *TABLES[:-1]))} or {TABLES[-1]}.")
-    try:
-        track = track_from_sheet(Sheet(how, *read_columns(text, how.rate)), file.name)
-    except TableError as error:
-        raise InputError(f"{file} {error}") from None
-    return _completed(track, how)
+    radius = track.radius if how.radius is None else how.radius  # which the file may lack
+    return replace(track, radius=radius).between(how.since, how.until)
 
 
 def _text(file: Path) -> str:
@@ -78,9 +76,3 @@ def _text(file: Path) -> str:
         if "\0" not in text:
             return text
     raise InputError(f"{file} is not text: a track is a table or JSON.")
-
-
-def _completed(track: Track, how: Reading) -> Track:
-    """Return a track with the radius that the file lacks, in the window of time."""
-    radius = track.radius if how.radius is None else how.radius
-    return replace(track, radius=radius).between(how.since, how.until)

@@ -31,10 +31,7 @@ def third_differences(t: Floats, values: Floats) -> Floats:
     """
     if len(t) < 4:
         return np.zeros(0)
-    at = np.lib.stride_tricks.sliding_window_view(t, 4)
-    fours = np.lib.stride_tricks.sliding_window_view(values, 4)
-    apart = at[:, :, None] - at[:, None, :]
-    apart[:, range(4), range(4)] = 1.0
-    weights = 1.0 / apart.prod(axis=2)
-    found: Floats = (weights * fours).sum(axis=1) / np.sqrt((weights**2).sum(axis=1))
+    at, fours = np.lib.stride_tricks.sliding_window_view((t, values), 4, axis=1)
+    weights = 1.0 / (at[:, :, None] - at[:, None, :] + np.eye(4)).prod(axis=2)
+    found: Floats = (weights * fours).sum(axis=1) / np.linalg.norm(weights, axis=1)
     return found[np.isfinite(found)]
