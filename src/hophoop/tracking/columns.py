@@ -67,7 +67,7 @@ class Column:
     unit: str = ""
     group: str = ""  # of a run, or of columns with times of their own
     values: Floats = field(default_factory=lambda: np.zeros(0))  # nan for empty cells and words
-    words: Sequence[str] = ()  # of a column without numbers
+    words: Sequence[str] = ()  # of a column without numbers, or that numbers objects
 
     @property
     def label(self) -> str:
@@ -279,7 +279,7 @@ def columns(table: Table, rate: float | None) -> list[Column]:
             row = bad[0]
             said = f"has {cells[row][:40]!r} in column {column.label}, row {row + 1} below the names"
             raise TableError(f"{said}, which must be a number.")
-        found.append(replace(column, values=values, words=() if has_numbers else cells))
+        found.append(replace(column, values=values, words=() if has_numbers and column.quantity != "object" else cells))
     return found
 
 
@@ -359,8 +359,7 @@ def apart(found: list[Column], comments: list[str]) -> list[Column]:
         return found
     times, rows = np.unique(key.values, return_inverse=True)
     numbers = [column for column in found if column.quantity not in ("t", "frame") and not column.words]
-    named = [list(map("{:g}".format, column.values)) for column in numbers if column.quantity == "object"]
-    for labels in (comments, *(column.words for column in found if column.words), *named):
+    for labels in (comments, *(column.words for column in found if column.words)):
         kinds = list(dict.fromkeys(labels))
         if len(set(zip(rows, labels, strict=True))) < len(rows) or not 1 < len(kinds) <= len(rows) / 3:
             continue
