@@ -31,7 +31,7 @@ def fit_circle(points: Complexes) -> tuple[Circle, Floats]:
     design = np.column_stack([2.0 * near.real, 2.0 * near.imag, np.ones(len(near))])
     x, y, square = np.linalg.lstsq(design, np.abs(near) ** 2, rcond=None)[0].tolist()
     centre = complex(x, y)
-    radius = float(np.sqrt(max(square + abs(centre) ** 2, 1e-12)))
+    radius = float(np.sqrt(max(square + x * x + y * y, 1e-12)))
     return Circle(complex(shift) + centre, radius), np.abs(near - centre) - radius
 
 

@@ -128,6 +128,7 @@ def _local(file: Path) -> str:
     if address is not None and not file.exists():
         shown = f"{address[1]}://{str(file)[address.end() :]}"
         raise InputError(f"{shown} is an address; a film must be a file on this machine.")
+    file.stat()  # fails where there is none, as for other files
     return f"file:{file}"
 
 
@@ -140,8 +141,6 @@ def _opened(file: Path) -> Iterator[tuple[Any, Any]]:
             if not box.streams.video:
                 raise InputError(f"{file} has no video.")
             yield box, box.streams.video[0]
-    except av.error.FileNotFoundError:
-        raise FileNotFoundError(2, "No such file or directory", str(file)) from None
     except av.error.FFmpegError as error:
         reason = str(getattr(error, "strerror", None) or error).rstrip(".")
         raise InputError(f"{file} cannot be read as a video: {reason}.") from None
