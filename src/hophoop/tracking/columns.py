@@ -279,7 +279,8 @@ def columns(table: Table, rate: float | None) -> list[Column]:
             row = bad[0]
             said = f"has {cells[row][:40]!r} in column {column.label}, row {row + 1} below the names"
             raise TableError(f"{said}, which must be a number.")
-        found.append(replace(column, values=values, words=() if has_numbers and column.quantity != "object" else cells))
+        words = list(map("{:g}".format, values)) if column.quantity == "object" else ()
+        found.append(replace(column, values=values, words=words if has_numbers else cells))
     return found
 
 
@@ -341,12 +342,10 @@ def _seconds(clock: re.Match[str]) -> float:
 def grouped(found: list[Column]) -> list[Column]:
     """Put columns behind times of their own into groups, unless their heads name runs."""
     times = [column for column in found if column.quantity == "t"]
-    labels, points = {column.label for column in times}, {column.point for column in times}
-    named = any(column.group for column in found)
-    if named or len(times) < 2 or (len(labels) == len(times) and len(points) == 1):
+    alike = len({column.label for column in times}) < len(times) or len({column.point for column in times}) > 1
+    if not alike or any(column.group for column in found):
         return found
-    starts = [column.number for column in times]
-    return [replace(column, group=str(sum(start <= column.number for start in starts) or "")) for column in found]
+    return [replace(one, group=str(sum(time.number <= one.number for time in times) or "")) for one in found]
 
 
 def apart(found: list[Column], comments: list[str]) -> list[Column]:
@@ -355,13 +354,14 @@ def apart(found: list[Column], comments: list[str]) -> list[Column]:
     comments: above each row, which may name the object.
     """
     key = next((column for quantity in ("t", "frame") for column in found if column.quantity == quantity), None)
-    if key is None or len(set(key.values)) == len(key.values):
+    if key is None:
         return found
     times, rows = np.unique(key.values, return_inverse=True)
     numbers = [column for column in found if column.quantity not in ("t", "frame") and not column.words]
     for labels in (comments, *(column.words for column in found if column.words)):
         kinds = list(dict.fromkeys(labels))
-        if len(set(zip(rows, labels, strict=True))) < len(rows) or not 1 < len(kinds) <= len(rows) / 3:
+        whole = len(times) < len(rows) == len(set(zip(rows, labels, strict=True)))
+        if not whole or not 1 < len(kinds) <= len(rows) / 3:
             continue
         split_up = [replace(key, values=times)]
         for kind in kinds:
