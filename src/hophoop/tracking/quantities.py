@@ -193,7 +193,8 @@ def _use_named(sheet: Sheet) -> None:
 
 def _named(sheet: Sheet, channel: str, label: str) -> Column:
     """Return the column that is named by its head or its number."""
-    found = [one for one in sheet.columns if label.casefold() in (one.head.casefold(), str(one.number))]
+    named = [column for column in sheet.columns if column.head.casefold() == label.casefold()]
+    found = named or [column for column in sheet.columns if str(column.number) == label]
     if column := sheet.only(found, channel):
         return column
     raise question(f"has no column {label!r}; {sheet.listed}", sheet.such(channel))
