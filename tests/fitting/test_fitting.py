@@ -12,15 +12,17 @@ import hophoop as hh
 from checkout import ROOT
 from fitting_tools import PLANE, RADIUS, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping, lasting, posed, read_again
 from hophoop.fitting import report
-from hophoop.fitting.channels import GYROSCOPE, scatter
+from hophoop.fitting.channels import GYROSCOPE, evened, scatter
 from hophoop.fitting.covariance import autocorrelation_time, correlated_frames, inverse
 from hophoop.fitting.judging import runs_deviation
 from hophoop.fitting.limits import least_static_friction
 from hophoop.fitting.mistakes import shutter
+from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.reporting import places_in_film
 from hophoop.fitting.solving import minimize, parameters, slopes, solve
 from hophoop.tracking import Camera, View
 from hophoop.tracking.scatter import third_differences
+from hophoop.tracking.table import track_of
 
 # a fit asks for hundreds of motions
 pytestmark = pytest.mark.compiled
@@ -34,6 +36,7 @@ def test_the_truth_is_found_within_its_uncertainties(found):
         assert abs(found.values[name] - value) < 4 * found.error(name), name
     assert found.error("gamma") < 1e-3
     assert found.error("mu_static") < 0.02
+    assert any(": gamma (to 0.0" in sentence for sentence in found.sentences())
     assert found.shares["RKRSH+KR"] > 0.9
     (sequence,) = (one for one in found.details() if one.startswith("Sequence RKRSH+KR: "))
     assert sequence.endswith(" %).") == (len(found.shares) > 1)
@@ -179,6 +182,19 @@ def test_a_share_of_the_errors_that_lasts_is_found():
     errors = np.sqrt(0.3) * lasting(rng.normal(size=1000), 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
     assert autocorrelation_time(3.0 * errors) == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
     assert autocorrelation_time(rng.normal(size=1000)) == 1.0
+
+
+def test_times_in_whole_milliseconds_are_evened():
+    t = np.arange(100) / 240.0
+    even, derived = evened(track_of(np.round(t, 3), {"x": t, "y": t}))
+    assert derived == {"rate": pytest.approx(240.0, rel=1e-3)}
+    assert even.t == pytest.approx(t, abs=2e-4)
+
+
+def test_usual_values_lie_within_their_limits_and_have_units():
+    for one in PARAMETERS.values():
+        assert one.low <= one.usual <= one.high
+        assert one.unit in ("1", "m", "1/m", "m/s", "rad", "rad/s", "s")
 
 
 def test_errors_that_last_over_frames_count_less(hop, found):

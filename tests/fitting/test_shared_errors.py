@@ -69,6 +69,8 @@ def test_a_plan_counts_with_the_scale(hop, found):
     assert off.errors["mu_excess"] > 2 * known.errors["mu_excess"]
     assert "scale" not in known.errors
     assert off.errors["scale"] == pytest.approx(found.error("scale"), rel=0.6)
+    coarse = hh.plan(hop.scenario, RATE, 0.02, 0.1, sigma_scale=1e-3)
+    assert coarse.errors["stretch"] < 1e-3  # which the size of the rim tells
     fixed = hh.plan(hop.scenario, RATE, SIGMA, SIGMA_ANGLE, fixed=("scale", "stretch", "origin_y"))
     assert fixed.errors == known.errors
     with pytest.raises(ValueError, match="sigma_scale = -1"):
