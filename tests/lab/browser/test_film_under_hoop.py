@@ -49,6 +49,9 @@ def test_corners_lie_where_the_camera_saw_them(filmed):
     fit, under, folder = filmed
     assert under.size == FILM.size
     assert under.start == pytest.approx(fit.track.t[0] - 0.5 * FILM.shutter, abs=1e-3)
+    later = dataclasses.replace(fit)  # the hoop is not seen before the fourth picture
+    vars(later)["problem"] = dataclasses.replace(fit.problem, runs=(dataclasses.replace(fit.problem.runs[0], first=3),))
+    assert backdrop(later, folder / "hoop.mp4", folder / "later.mp4").start == pytest.approx(3 / FILM.rate, abs=1e-3)
     # the corners, seen through the camera that rendered the film, are those of its picture
     seen = project(FILM, *np.array(under.corners).T)
     wide, tall = FILM.size
