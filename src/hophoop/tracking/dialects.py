@@ -62,7 +62,7 @@ NAMES = {name: _said(name) for name in ("t", "frame", "angle", "polar", "omega",
     name: name.replace("_", " ") for name in COLUMNS if name.startswith("sigma") or "column" in name or "row" in name
 }
 COMMA_WORDS = "|".join(words for language in COMMA_LANGUAGES.values() for words in language.values())
-CENTRE, MARKER, NO_POSITION = _said("centre"), _said("marker"), _said("no position")
+CENTRE, MARKER, NO_POSITION = _said("centre"), _said("marker"), _said("no position") + "|^[gwω]$"
 ROTATION = rf"{_said('gyroscope')}|^g$|\b(?:{_said('omega')})\b"
 
 # --- units -----------------------------------------------------------------------------------------
