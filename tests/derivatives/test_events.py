@@ -10,7 +10,6 @@ import hophoop as hh
 from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.results.propagation import propagate
 from hophoop.kernel.physics.body import EVENT_NAMES
-from hophoop.maps import sweep
 from oracles.derivatives import CASES, FILE, PARTS, scenario_of
 
 TRUE = json.loads(FILE.read_text(encoding="utf-8"))
@@ -93,26 +92,41 @@ MAPPED = (
     "greatest_utilization",
 )  # fmt: skip
 OF_HOPS = ("takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss")
+USE = ("greatest_utilization",)
+PATHS = ("start.speed", "start.angle", "plane.mu", "plane.gravity", "plane.slope", "duration")
+RESISTED = ("start.speed", "plane.slope", "plane.rolling_resistance")
+HELD = "duration=2&plane.slope=0.1&start.speed=0&start.angle=3&plane.mu=0.5&plane.rolling_resistance=0.1"
 
 
 @pytest.mark.parametrize(
-    ("scenario", "names"),
+    ("query", "names", "paths"),
     [
-        (hh.Scenario(duration=1.95), (*MAPPED, *OF_HOPS)),
-        (hh.Scenario(plane=hh.Plane(mu=0.3), start=hh.Start.rolling(0.1), duration=4.0), MAPPED),  # it rolls back
+        ("duration=1.95", MAPPED + OF_HOPS, PATHS[:1]),
+        ("duration=4&plane.mu=0.3&start.speed=0.1", MAPPED, PATHS[:1]),  # it rolls back
+        # of rolling the most friction: it grows up to the end
+        ("duration=0.5&start.speed=1&start.angle=0.3", USE, PATHS),
+        ("duration=0.3&start.speed=1&start.angle=1.3", USE, PATHS),  # inside
+        ("duration=3&start.speed=1&start.angle=0.3&hoop.load_fraction=0.4", USE, PATHS[:4]),  # in every turn anew
+        ("duration=5&hoop.load_fraction=0.3&start.speed=0.3&start.angle=2", USE, PATHS[:4]),  # to and fro
+        ("duration=2&hoop.load_fraction=0.3&start.speed=0.3&start.angle=2&plane.rolling_resistance=0.02", USE, RESISTED),
+        (HELD, USE, ("start.angle", *RESISTED[1:])),
     ],
 )
-def test_quantities_of_maps_are_those_of_maps_and_follow_differences(scenario, names):
+def test_quantities_of_maps_are_those_of_maps_and_follow_differences(query, names, paths):
     """Their values are those of a map's cell, their derivatives differences of such values of motions beside this one."""
-    path, step = "start.speed", 1e-4 * scenario.start.speed
-    values = scenario.start.speed + step * np.arange(-2, 3)
-    axes = {path: values, "plane.mu": [scenario.plane.mu, 2.0]}  # a map has two axes
-    cells = sweep(scenario, axes, list(names), "duration", progress=False).isel({"plane.mu": 0})
-    result = hh.simulate(scenario).sensitivity(names, path)
-    for k, name in enumerate(names):
-        low, less, same, more, high = cells[name].values.tolist()
-        assert result.values[k] == pytest.approx(same, rel=1e-12)
-        assert result.derivatives[k, 0] == pytest.approx((low - 8 * less + 8 * more - high) / (12 * step), rel=1e-6, abs=1e-7)
+    scenario = hh.Scenario.from_query(query)
+    motion = hh.simulate(scenario)
+    assert motion.sequence == "R" or names != USE
+    result = motion.sensitivity(names, paths)
+    for k, path in enumerate(paths):
+        value = value_of(scenario, path)
+        step = 2e-4 * (abs(value) or 1.0)
+        cells = hh.maps.points(scenario, {path: value + step * np.arange(-2, 3)}, names, "duration")
+        low, less, same, more, high = np.transpose([cells[name] for name in names])
+        assert result.values == pytest.approx(same, rel=1e-12), path
+        assert result.derivatives[:, k] == pytest.approx(
+            (low - 8 * less + 8 * more - high) / (12 * step), rel=1e-8, abs=1e-9
+        ), path
 
 
 def test_the_potential_energy_of_a_hoop_that_slides_without_rotation_follows_its_position():

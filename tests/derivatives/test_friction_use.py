@@ -6,11 +6,9 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.derivatives.parameters import value_of
 from hophoop.derivatives.results.sensitivity import SIDED
 
 USE = "greatest_utilization"
-PATHS = ("start.speed", "start.angle", "plane.mu", "plane.gravity", "plane.slope", "duration")
 
 
 pytestmark = pytest.mark.usefixtures("interpreted")
@@ -19,34 +17,6 @@ pytestmark = pytest.mark.usefixtures("interpreted")
 def use_of(scenario, path, value):
     """As a cell of a map has it."""
     return float(hh.maps.points(scenario, {path: [value]}, [USE], "duration")[USE][0])
-
-
-@pytest.mark.parametrize(
-    ("query", "paths"),
-    [
-        ("duration=0.5&start.speed=1&start.angle=0.3", PATHS),  # it grows up to the end
-        ("duration=0.3&start.speed=1&start.angle=1.3", PATHS),  # inside
-        ("duration=3&start.speed=1&start.angle=0.3&hoop.load_fraction=0.4", PATHS[:4]),  # in every turn anew
-        ("duration=5&hoop.load_fraction=0.3&start.speed=0.3&start.angle=2", PATHS[:4]),  # to and fro
-        ("duration=2&hoop.load_fraction=0.3&start.speed=0.3&start.angle=2&plane.rolling_resistance=0.02", PATHS[::4]),
-        ("duration=2&plane.slope=0.1&start.speed=0&start.angle=3&plane.mu=0.5&plane.rolling_resistance=0.1", PATHS[1:5:3]),
-    ],
-)
-def test_it_follows_differences(query, paths):
-    scenario = hh.Scenario.from_query(query)
-    if scenario.plane.rolling_resistance:
-        paths = (*paths, "plane.rolling_resistance")
-    motion = hh.simulate(scenario)
-    assert motion.sequence == "R"
-    result = motion.sensitivity(USE, paths)
-    assert result.units == ("1",)
-    for k, path in enumerate(paths):
-        value = value_of(scenario, path)
-        step = 2e-4 * (abs(value) or 1.0)
-        low, less, more, high = (use_of(scenario, path, value + side * step) for side in (-2, -1, 1, 2))
-        true = (low - 8 * less + 8 * more - high) / (12 * step)
-        assert result.derivatives[0, k] == pytest.approx(true, rel=1e-8, abs=1e-9), path
-    assert result.values[0] == pytest.approx(use_of(scenario, "plane.mu", scenario.plane.mu), rel=1e-12)
 
 
 def test_two_places_that_need_the_same():
