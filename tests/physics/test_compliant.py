@@ -1,4 +1,4 @@
-"""Forces of a compliant contact: from energy, symmetry, differences, and masses that bounce."""
+"""Forces of a compliant contact: from energy, symmetry, and masses that bounce; test_compliant_laws.py has derivatives."""
 
 import math
 
@@ -21,9 +21,7 @@ def slope(function, at, step=1e-6):
 @pytest.mark.parametrize("comp", NORMAL)
 def test_normal_force(comp):
     y, vn = -0.02, 0.3
-    force, by_y, by_v = compliant.normal_force(comp, y, vn)
-    assert by_y == pytest.approx(slope(lambda value: compliant.normal_force(comp, value, vn)[0], y), rel=1e-7)
-    assert by_v == pytest.approx(slope(lambda value: compliant.normal_force(comp, y, value)[0], vn), rel=1e-7)
+    force = compliant.normal_force(comp, y, vn)[0]
     # at rest it is what the spring's energy pushes with; the damper takes energy both ways
     still = compliant.normal_force(comp, y, 0.0)[0]
     assert still == pytest.approx(-slope(lambda at: compliant.spring_energy(comp, at, 0.0), y))
@@ -46,8 +44,6 @@ def test_creeping_friction(comp):
             regime = 0 if comp is LINEAR and vt < comp.v_s else sign
             phi, rate = compliant.traction(comp, regime, sign * vt)
             assert compliant.traction(comp, -regime, -sign * vt) == (-phi, rate)
-            by = slope(lambda at, r=regime: compliant.traction(comp, r, at)[0], sign * vt)
-            assert rate == pytest.approx(by, rel=1e-5, abs=1e-6)
             # the force opposes the slip
             force = compliant.friction_force(comp, regime, 3.0, 0.01, sign * vt)
             assert phi * sign > 0.0
