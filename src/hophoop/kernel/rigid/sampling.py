@@ -155,7 +155,7 @@ def margins_of(body, mode, theta, theta_low, omega, slip, height):
         normal = slip_motion(body, s, c, u, sigma, rho)[1]
         friction = -sigma * body.mu_k * normal
         p_sigma = kappa_p_sigma(body, s, c, sigma, rho) / body.kap
-        mu = body.mu_s
+        mu = body.mu_k
     elif mode in (Mode.FLIGHT, Mode.SKIM):
         friction = 0.0
         normal = 0.0
