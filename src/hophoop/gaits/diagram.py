@@ -205,11 +205,12 @@ def diagram(
     known: list[list[Attractor]] = [[] for _ in cases]
     ends: list[list[Start]] = [[] for _ in cases]
     order, done = [*range(len(cases)), *range(len(cases) - 2, -1, -1)], 0
+    beside: list[Start] = []
     try:
         for k in order:
             begin = _starts(cases[k], starts) if done < len(cases) else []
-            beside = ends[order[done - 1]] if done else []
             ends[k] += _settle(cases[k], [*begin, *beside], known[k], passages, section)
+            beside = ends[k]
             done += 1
             if progress is not None:
                 progress(done / len(order))

@@ -67,7 +67,7 @@ def range_of(scenario: Scenario, path: str, bounds: tuple[float, float]) -> tupl
         low, high = (float(bound) for bound in bounds)
     except (TypeError, ValueError):
         raise InputError.of_field("bounds", bounds, "two numbers") from None
-    if not (math.isfinite(low) and math.isfinite(high) and low <= value <= high and low < high):
+    if not (-math.inf < low <= value <= high < math.inf and low < high):
         unit = f" {parameter(path).unit}" if parameter(path).unit else ""
         raise InputError(f"low = {low!r} and high = {high!r} must be finite and on both sides of {path} = {value!r}{unit}.")
     if path == "plane.slope" and low < 0.0 < high:
@@ -163,16 +163,14 @@ class Follower:
 
     def end(self, last: Point, way: Floats) -> None:
         """Add the end of a branch: the limit of the range, the top of the hill, or that of a piece."""
-        kind, event = END, ""
+        self.append(last)
         motion = last.gait.motion()
         if self.is_limit(last):
-            kind = LIMIT  # a value beyond may not be allowed at all, such as a restitution below 0
+            self.add(LIMIT, last)  # a value beyond may not be allowed at all, such as a restitution below 0
         elif np.abs(motion.at(np.linspace(0.0, motion.duration, SAMPLES)).omega).min() < NEAR_TOP * last.map.unit:
-            kind = TOP
+            self.add(TOP, last)
         else:
-            event = next((boundary(last, other) for gap in BESIDE for other in last.beside(gap, way)), "")
-        self.append(last)
-        self.add(kind, last, event)
+            self.add(END, last, next((boundary(last, other) for gap in BESIDE for other in last.beside(gap, way)), ""))
 
     def add(self, kind: str, point: Point, event: str = "", factors: tuple[float, ...] = ()) -> None:
         """Add a special point."""

@@ -216,10 +216,6 @@ class SectionMap:
                 place[k] = 0.0
         return place
 
-    def omega(self, point: Floats) -> float:
-        """Return θ̇ at a point [rad/s]."""
-        return float(point[self.names.index("omega")]) * self.unit
-
     def at(self, point: Floats) -> Scenario:
         """Return the scenario that starts at a point."""
         values = (self.in_mode(point)[: len(self.names)] * self.units).tolist()

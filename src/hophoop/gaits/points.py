@@ -164,7 +164,7 @@ class Point:
     @property
     def omega(self) -> float:
         """θ̇ at the section [rad/s]."""
-        return self.map.omega(self.place)
+        return float(self.place[self.map.names.index("omega")]) * self.map.unit
 
     @property
     def parameter(self) -> float:
