@@ -20,15 +20,13 @@ from hophoop.gaits.kernels.wells import stays_in_well
 from hophoop.kernel.model import (
     ImpactLaw,
     Mode,
-    inertia_at_height,
     kinetic_energy,
-    load_height,
     potential_energy,
-    rolling_forces,
 )
 from hophoop.kernel.native import inline, noinline
 from hophoop.kernel.numerics.arithmetic import PI, TWO_PI
 from hophoop.kernel.numerics.circular import sine_cosine
+from hophoop.theory.kernels.extrema import cone_margin_line
 from hophoop.vocabulary.names import FateCode
 
 OPEN = -1  # not decided so far
@@ -37,7 +35,7 @@ LONGEST_PERIOD = 64
 SAME, NEAR, NOISE = 1e-10, 1e-7, 1e-13  # differences of two passages of a gait: now, one period ago, and rounding
 AHEAD = 1e-5  # the most that all differences to come may add up to
 FAST, FASTER = 1e3, 1e2  # √(g/R), and times the speed of the start: a hoop that rotates so fast down a slope runs away
-ANGLES, HOLDS = 64, 0.999  # of half a revolution at which rolling is looked at, and the share of friction that it may use
+ANGLES, HOLDS = 64, 1e-3  # of half a revolution at which rolling is looked at, and its least margin to the friction cone [m g]
 HALF = 3.0  # rad, about half a revolution: more of one passage than of rocking
 BELOW = 1e-12  # m g R: by which the energy is below that of the load at the top
 
@@ -144,13 +142,9 @@ def is_near_limit(now, past):
 def rolls_slowly(body):
     """Return True if a hoop on the level that only just gets over the top does so without slip."""
     for k in range(1, ANGLES):
-        th = PI * k / ANGLES
-        s, c = sine_cosine(th, 0.0)
-        height = load_height(s, c)
-        u = 2.0 * body.eps * body.gn * (1.0 - c) / inertia_at_height(body, height)
-        friction, normal = rolling_forces(body, s, c, u, 0.0)
-        if not abs(friction) <= HOLDS * body.mu_s * normal:
-            return False
+        for side in (1.0, -1.0):
+            if not cone_margin_line(body, PI * k / ANGLES, side)[0] > HOLDS:
+                return False
     return True
 
 
