@@ -3,6 +3,7 @@
 import itertools
 import math
 from fractions import Fraction
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -339,3 +340,29 @@ def test_a_step_that_cannot_be_shown_is_halved_and_refused():
         contact, _ = phase(CASES["K"], 0.0, 1e-3)
         with pytest.raises(Unclear, match="small"):
             Step(contact, None, arb(0.3))
+
+
+def test_a_step_is_halved_until_it_is_shown(monkeypatch):
+    build, lengths = Step._build, []
+
+    def third(self, th, series, h, error):
+        build(self, th, series, h, error)
+        lengths.append(float(h))
+        return len(lengths) == 3
+
+    monkeypatch.setattr(Step, "_build", third)
+    with setting(120):
+        Step(phase(CASES["R"])[0], None, arb(0.3))
+    assert lengths == [lengths[0], lengths[0] / 2, lengths[0] / 4]
+
+
+def test_the_first_of_two_events_in_a_step_is_found_or_unclear():
+    def falling(*rates):
+        models = [Model(arb_poly([1, -rate])) for rate in rates]
+        return SimpleNamespace(models=models, taylor=lambda k, x, terms: [arb(0), arb(-rates[k])])
+
+    with setting(60):
+        k, x = Step.first_event(falling(2, 3), [0, 0], arb(1))
+        assert (k, float(x)) == (1, pytest.approx(1 / 3))
+        with pytest.raises(Unclear, match="first"):
+            Step.first_event(falling(2, 2), [0, 0], arb(1))
