@@ -144,6 +144,13 @@ def test_turns_are_counted_on():
     assert sample.angle - 6.0 == pytest.approx(sample.x, abs=0.1)
 
 
+def test_turns_in_flight_are_counted():
+    start = hh.Start(height=1.0, vx=0.0, omega=60.0)
+    motion = hh.simulate(hh.Scenario(start=start, duration=0.3, contact=hh.Compliant()))
+    sample = motion.at(motion.times(50))
+    assert sample.angle == pytest.approx(60.0 * sample.t, rel=1e-12)
+
+
 @pytest.mark.parametrize(("most", "what"), [(50, kernel.GIVEN_UP), (500, kernel.CLEAR)])
 def test_turns_below_the_level_of_the_plane_are_used_up(monkeypatch, most, what):
     """A spinning rim on its way up again, faster than the plane follows it: 300 panels of 3 rad."""
