@@ -235,7 +235,7 @@ RUNS = "t,x Run #1,y Run #1,x Run #2,y Run #2\n"
         ),
         ("a.txt", ",A,,B,\nt,x,y,x,y\n" + rows(3, 5), "no point 'C'; its points are 'A', 'B'", {"centre": "C"}),
         ("a.csv", "t,x,y,hub x,hub y\n" + rows(3, 5), "its points are one without a name, 'hub'", {"centre": "axle"}),
-        ("a.csv", "t,angle\n" + rows(3, 2), "has no unit of angle; known units are rad and deg: give --unit angle=deg.", {}),
+        ("a.csv", "t,angle\n" + rows(3, 2), "no unit of angle; known units are rad, deg and rev: give --unit angle=deg.", {}),
         ("a.csv", "t,omega\n" + rows(3, 2), "known units are rad/s, deg/s and rpm: give --unit omega=deg/s.", {}),
         (
             "a.csv",

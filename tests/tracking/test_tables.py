@@ -281,10 +281,11 @@ def test_heads_of_school_books(tmp_path, head):
 
 
 def test_errors_have_the_units_of_their_own_heads(tmp_path):
-    head = "t (s),x (cm),y (cm),angle (rad),sigma_x (mm),sigma_y (mm),sigma_angle (deg)"
+    head = "t (s),x (cm),y (cm),angle (turns),sigma_x (mm),sigma_y (mm),sigma_angle (deg)"
     given = np.ones((3, len(T))) * [[2.0], [3.0], [1.0]]
-    track = read_track(table(tmp_path, head, T, 100.0 * X, 100.0 * Y, ANGLE, *given))
-    assert_read(track, x=X, sigma_x=0.002 + 0.0 * T, sigma_y=0.003 + 0.0 * T, sigma_angle=np.radians(1.0) + 0.0 * T)
+    track = read_track(table(tmp_path, head, T, 100.0 * X, 100.0 * Y, ANGLE / (2.0 * np.pi), *given))
+    still = np.ones(len(T))
+    assert_read(track, x=X, angle=ANGLE, sigma_x=0.002 * still, sigma_y=0.003 * still, sigma_angle=np.radians(1.0) * still)
 
 
 def test_tracks_of_imagej_below_each_other_are_points(tmp_path):

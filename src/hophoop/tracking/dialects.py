@@ -81,11 +81,14 @@ UNITS: dict[str, dict[str, float]] = {
             "|s|sec|secs|sek|second|seconds|sekunden|secondes|segundos": 1.0, "ms|msec": 0.001, "us": 1e-6, "ns": 1e-9,
             "min": 60.0, "d": 86400.0,
         },
-        "rad": {"rad|radian|radians|radianes": 1.0, "deg|°|degree|degrees|grad|degre|degres|grados": DEGREE},
+        "rad": {
+            "rad|radian|radians|radianes": 1.0, "deg|°|degree|degrees|grad|degre|degres|grados": DEGREE,
+            "rev|revs|revolution|revolutions|turn|turns|umdrehung|umdrehungen": float(2.0 * np.pi),
+        },
         "rad/s": {"rad/s|rad/sec|1/s|s^-1": 1.0, "deg/s|deg/sec|°/s|dps|degrees/s|grad/s": DEGREE, "rpm": float(np.pi / 30)},
     }.items()
 }  # fmt: skip
-SHOWN = {"m": "m, cm, mm, in and ft", "s": "s, ms, us, ns and min", "rad": "rad and deg", "rad/s": "rad/s, deg/s and rpm"}
+SHOWN = {"m": "m, cm, mm, in and ft", "s": "s, ms, us, ns and min", "rad": "rad, deg and rev", "rad/s": "rad/s, deg/s and rpm"}
 PIXELS = ("px", "pixel", "pixels")
 KNOWN_UNITS = {unit for units in UNITS.values() for unit in units if unit}.union(PIXELS)
 OTHER_UNITS = KNOWN_UNITS - UNITS["m"].keys() - {*PIXELS}  # than those of lengths
