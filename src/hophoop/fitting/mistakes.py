@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 TOP = 4  # greatest values in a row that are equal of a sensor at its limit
 CLOSE = tuple(np.arange(0.8, 1.225, 0.05).round(2).tolist())  # factors of the times, or of the radius, near which one is fitted
 TIMES = (1e-9, 1e-6, 1e-3, 1 / 8, 1 / 4, 1 / 2, *CLOSE, 2.0, 4.0, 8.0, 1e3, 1e6, 1e9)
-UNITS = (0.01, 0.001)  # cm and mm in m
+UNITS = (0.01, 0.001, 0.0254)  # cm, mm and inches in m
 RADII = (0.5, *CLOSE, 2.0, *UNITS)
 LENGTHS, DEGREE = ("x", "y", "marker_x", "marker_y"), float(np.radians(1.0))
 ANY = (*LENGTHS, "angle", "omega")
@@ -53,6 +53,8 @@ class Trial(NamedTuple):
     factors: Mapping[str, float] = {}  # of channels, times and radius; and the zero of the angle [rad]
     extra: str = ""  # a parameter that is free in addition
     names: Mapping[str, str] = {}  # of channels that have others' names
+    start: str = ""  # how the hoop moves in the first frame, if not as the data show it
+    calls: int = CALLS  # of the motion, at most
 
 
 TRIALS = (
@@ -78,14 +80,19 @@ TRIALS = (
         Trial(LENGTHS, "units", f"with lengths multiplied by {factor:g}{also}", advice, dict.fromkeys(names, factor))
         for factor in UNITS
         for names, also, advice in (
-            (LENGTHS, "", "are lengths in cm, mm or pixels? Name the columns x (cm), y (cm); the radius is in m."),
-            ((*LENGTHS, "radius"), " and the radius, too", "is the radius in m, and are lengths in cm or mm?"),
+            (LENGTHS, "", "are lengths in cm, mm, inches or pixels? Name the columns x (cm), y (cm); the radius is in m."),
+            ((*LENGTHS, "radius"), " and the radius, too", "is the radius in m, and are lengths in cm, mm or inches?"),
         )
     ),
     Trial(
         ("x",), "axes", "with x and y exchanged", "is the film sideways, or are x and y exchanged?",
         names={"x": "y", "y": "x"},
     ),
+    Trial(
+        ("x",), "the point", "with x and y as those of the marker", "name their columns marker x and marker y.",
+        names={"x": "marker_x", "y": "marker_y"}, calls=100,
+    ),
+    Trial(("omega",), "the start", "with slip in the first frame", "give --start sliding.", start="sliding"),
     Trial(("x",), "axes", "with y in the other direction", "does y count downwards? y is the height.", {"y": -1.0}),
     Trial(
         ("x",), "axes", "with x and y in the other direction", "is the film upside down?",
@@ -132,7 +139,7 @@ def _posed(asked: Asked, run: Run, trial: Trial) -> Iterator[Posed]:
     run = _without(run, trial)
     if not SHORTEST < run.t[-1] < LONGEST:
         return
-    run = replace(run, start=start_kind(run), priors={}, factor=trial.extra if trial.extra in FACTORS else "")
+    run = replace(run, start=trial.start or start_kind(run), priors={}, factor=trial.extra if trial.extra in FACTORS else "")
     values, free = defaults(run, asked.track)
     values, free = values | asked.held, (free - asked.held.keys()) | {trial.extra} - {""}
     if starts := candidates(run, guess(run, values, free), free, draws=DRAWS):
@@ -145,8 +152,8 @@ def _posed(asked: Asked, run: Run, trial: Trial) -> Iterator[Posed]:
 def _fitted(posed: Posed) -> tuple[float, Trial]:
     """Return the cost of the best motion over the degrees of freedom, about 1 where one fits, and the trial in words."""
     problem, trial = posed.problem, posed.trial
-    begun = [one for params in posed.starts for one in beginnings(problem, params, CALLS)]
-    best = min((minimize(problem, one, CALLS) for one in begun), key=COST)
+    begun = [one for params in posed.starts for one in beginnings(problem, params, trial.calls)]
+    best = min((minimize(problem, one, trial.calls) for one in begun), key=COST)
     cost, values = best.cost / max(problem.count - len(free_of(best.params)), 1), best.values
     times = trial.factors.get("times", 1.0) * values.get("times", 1.0)
     words = trial.words.format(times=times, radius=problem.runs[0].radius * values.get("radius", 1.0))
