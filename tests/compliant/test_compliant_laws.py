@@ -19,7 +19,7 @@ def test_damping_exists_for_every_restitution(restitution):
 @pytest.mark.parametrize("law", [0, 1])
 @pytest.mark.parametrize(("friction", "regime"), [(0, 0), (1, 0), (1, -1), (2, 0), (2, 1)])
 def test_jacobian_is_the_derivative(law, friction, regime):
-    body = Body(0.6, 0.5, 0.8, 0.5, 0.9, 0.3, 0.0, 2, False, math.atan2(0.3, 0.9))
+    body = Body(0.6, 0.5, 0.8, 0.5, 0.9, 0.3, 0.0, 2, False, math.atan2(0.3, 0.9), resist=0.05)
     comp = Compliance(law, friction, 40.0, 3.0, 0.7, 0.3, 0.8, 0.5, 0.3, 20.0, 2.0)
     u = np.array([-0.05, 0.9, 0.2 if regime >= 0 else -0.5, -0.1, 1.3, 0.01])
     analytic, plus, minus = np.zeros((DYNAMIC, DYNAMIC)), np.zeros(DYNAMIC), np.zeros(DYNAMIC)
