@@ -144,6 +144,12 @@ def test_turns_are_counted_on():
     assert sample.angle - 6.0 == pytest.approx(sample.x, abs=0.1)
 
 
+def test_a_hoop_that_hops_at_once_is_in_flight_from_the_start():
+    start, hoop = hh.Start.rolling(5.0), hh.Hoop.ideal(0.75)
+    motion = hh.simulate(hh.Scenario(hoop=hoop, start=start, duration=0.1, contact=hh.Compliant()))
+    assert [event.kind for event in motion.events] == ["start", "end"]
+
+
 def test_turns_in_flight_are_counted():
     start = hh.Start(height=1.0, vx=0.0, omega=60.0)
     motion = hh.simulate(hh.Scenario(start=start, duration=0.3, contact=hh.Compliant()))
