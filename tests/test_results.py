@@ -115,7 +115,7 @@ def test_events_are_a_tuple_still(hop):
 
 def test_a_wide_table_leaves_columns_out():
     """The numbers of a hoop of 1000 km are long."""
-    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.75, radius=1e6), start=hh.Start.rolling(3100.0), duration=6000.0)
+    scenario = hh.Scenario.from_query("duration=6000&hoop.radius=1000000&start.speed=3100")
     motion = hh.simulate(scenario)
     lines = repr(motion.events).splitlines()
     assert max(map(tables.length, lines)) <= 100

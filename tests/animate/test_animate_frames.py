@@ -100,7 +100,7 @@ def test_the_camera_follows_steady_motion_without_lag_and_is_calm():
 
 @pytest.fixture(scope="module")
 def jam():
-    return hh.simulate(hh.Hoop.ideal(0.85), hh.Plane(mu=0.8), hh.Start.rolling(8.9), duration=2.0)
+    return hh.simulate(hh.Scenario.from_query("duration=2&hoop.load_fraction=0.85&plane.mu=0.8&start.speed=8.9"))
 
 
 def test_a_film_stays_where_mechanics_says_nothing_more(jam):

@@ -137,8 +137,9 @@ def test_a_bristle_lets_go_before_the_load_vanishes():
 
 def test_turns_are_counted_on():
     """A hoop that rolls on has turned by x/R, but for the creep of its friction."""
-    start = hh.Start.rolling(3.0, angle=6.0)
-    motion = hh.simulate(hh.Scenario(start=start, duration=40.0, contact=hh.Compliant(), hoop=hh.Hoop.ideal(0.3)))
+    motion = hh.simulate(
+        hh.Scenario.from_query("duration=40&hoop.load_fraction=0.3&start.angle=6&start.speed=3&contact.model=compliant")
+    )
     sample = motion.at(motion.times(2000))
     assert sample.angle[-1] - 6.0 > 20.0 * np.pi
     assert sample.angle - 6.0 == pytest.approx(sample.x, abs=0.1)
@@ -151,8 +152,7 @@ def test_a_hoop_that_hops_at_once_is_in_flight_from_the_start():
 
 
 def test_turns_in_flight_are_counted():
-    start = hh.Start(height=1.0, vx=0.0, omega=60.0)
-    motion = hh.simulate(hh.Scenario(start=start, duration=0.3, contact=hh.Compliant()))
+    motion = hh.simulate(hh.Scenario.from_query("duration=0.3&start.height=1&start.omega=60&contact.model=compliant"))
     sample = motion.at(motion.times(50))
     assert sample.angle == pytest.approx(60.0 * sample.t, rel=1e-12)
 

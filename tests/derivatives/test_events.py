@@ -131,7 +131,10 @@ def test_quantities_of_maps_are_those_of_maps_and_follow_differences(query, name
 
 def test_the_potential_energy_of_a_hoop_that_slides_without_rotation_follows_its_position():
     """It is proportional to the mass, and its position changes while it slides."""
-    hoop, plane = hh.Hoop(eccentricity=0.0, inertia_ratio=0.5, mass=2.0), hh.Plane(mu=0.0, slope=0.3)
-    motion = hh.simulate(hoop, plane, hh.Start(vx=1.0, omega=0.0), duration=1.0)
+    motion = hh.simulate(
+        hh.Scenario.from_query(
+            "duration=1&hoop.mass=2&hoop.eccentricity=0&hoop.inertia_ratio=0.5&plane.slope=0.3&plane.mu=0&start.vx=1"
+        )
+    )
     found = motion.sensitivity("at(0.7).potential", "hoop.mass").derivatives[0, 0]
     assert found == pytest.approx(motion.at(0.7).potential / 2.0, rel=1e-12)

@@ -21,7 +21,7 @@ def use_of(scenario, path, value):
 
 def test_two_places_that_need_the_same():
     """On the level each way of a swing needs the same friction; tilted, one of them more: then that one counts."""
-    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.3), start=hh.Start.rolling(0.3, angle=2.0), duration=5.0)
+    scenario = hh.Scenario.from_query("duration=5&hoop.load_fraction=0.3&start.angle=2&start.speed=0.3")
     result = hh.sensitivity(scenario, USE, "plane.slope")
     assert result.reasons == ((SIDED,),)
     here = use_of(scenario, "plane.slope", 0.0)
@@ -54,7 +54,7 @@ def test_where_there_is_none():
     flying = hh.Scenario(start=hh.Start(height=0.5), duration=0.1)
     result = hh.sensitivity(flying, USE, "start.angle")
     assert np.isnan([result.values[0], result.derivatives[0, 0]]).all()
-    endless = hh.Scenario(plane=hh.Plane(mu=math.inf), start=hh.Start.rolling(1.0), duration=0.3)
+    endless = hh.Scenario.from_query("duration=0.3&plane.mu=inf&start.speed=1")
     result = hh.sensitivity(endless, USE, "start.angle")
     assert (result.values[0], result.derivatives[0, 0]) == (0.0, 0.0)
 

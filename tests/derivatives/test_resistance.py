@@ -14,7 +14,7 @@ pytestmark = pytest.mark.usefixtures("interpreted")
 
 
 SMALL = 2.0**-26
-ROCKS = hh.Scenario(hoop=hh.Hoop.ideal(0.5), start=hh.Start.rolling(0.3, angle=2.0), duration=2.0)
+ROCKS = hh.Scenario.from_query("duration=2&hoop.load_fraction=0.5&start.angle=2&start.speed=0.3")
 HELD = hh.Scenario(
     plane=hh.Plane(slope=0.1, mu=0.5, rolling_resistance=0.1), start=hh.Start.rolling(0.0, angle=3.0), duration=2.0
 )  # fmt: skip

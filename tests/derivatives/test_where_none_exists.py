@@ -20,7 +20,7 @@ pytestmark = pytest.mark.usefixtures("interpreted")
 
 
 def test_a_start_without_slip_on_ice_has_one():
-    scenario = hh.Scenario(start=hh.Start(vx=1.0, omega=1.0), plane=hh.Plane(mu=0.0), duration=0.7)
+    scenario = hh.Scenario.from_query("duration=0.7&plane.mu=0&start.vx=1&start.omega=1")
     assert hh.sensitivity(scenario, "end.x", "start.vx").derivatives[0, 0] == pytest.approx(0.7, rel=1e-12)
 
 
@@ -131,7 +131,7 @@ def test_restitution_that_is_zero_and_a_hoop_that_rests_where_it_lands():
 @pytest.fixture(scope="module")
 def grazes():
     """Motions with the friction that is just enough to roll on, to the last digit, and just not."""
-    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.4), start=hh.Start.rolling(0.5), duration=1.6)
+    scenario = hh.Scenario.from_query("duration=1.6&hoop.load_fraction=0.4&start.speed=0.5")
 
     def with_friction(mu):
         return hh.simulate(scenario.with_values({"plane.mu": mu}))
@@ -190,7 +190,7 @@ def test_the_rim_that_touches_the_plane_in_flight_without_approach():
 
 
 def test_a_motion_without_an_answer():
-    motion = hh.simulate(hh.Scenario(hoop=hh.Hoop.ideal(1.0), start=hh.Start(height=0.1), duration=1.0))
+    motion = hh.simulate(hh.Scenario.from_query("duration=1&hoop.load_fraction=1&start.height=0.1"))
     assert motion.status == "undetermined"
     found = motion.sensitivity("end.t", "start.angle")["end.t", "start.angle"]
     assert math.isnan(found) or found == 0.0

@@ -24,7 +24,7 @@ FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 
 @pytest.fixture(scope="module")
 def motion():
-    return hh.simulate(hh.Hoop(), hh.Plane(restitution=0.4), hh.Start.rolling(3.1), duration=2.0)
+    return hh.simulate(hh.Scenario.from_query("duration=2&plane.restitution=0.4"))
 
 
 # --- what is done to a saved file, and what is said -------------------------------------------------

@@ -56,7 +56,7 @@ OVERRIDING += [("start.speed", f"start.{name}") for name in ("height", "vx", "vy
 OVERRIDING += [("hoop.load_fraction", f"hoop.{name}") for name in ("eccentricity", "inertia_ratio")]
 BASES = [
     hh.Scenario(),
-    hh.Scenario(start=hh.Start(height=0.5, angle=0.3, vx=1.0, vy=0.2, omega=2.0)),
+    hh.Scenario.from_query("start.height=0.5&start.angle=0.3&start.vx=1&start.vy=0.2&start.omega=2"),
     hh.Scenario(hoop=hh.Hoop.from_parts(0.3, [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.25)])),
 ]
 

@@ -32,7 +32,7 @@ def hop():
 
 @pytest.fixture(scope="module")
 def rocking():
-    return hh.simulate(hh.Hoop(), hh.Plane(mu=0.3), hh.Start.rolling(0.1), duration=9.0)
+    return hh.simulate(hh.Scenario.from_query("duration=9&plane.mu=0.3&start.speed=0.1"))
 
 
 @pytest.fixture
@@ -108,7 +108,7 @@ def test_the_gain_under_newtons_law_is_in_the_picture(ax):
 
 def test_a_power_of_ten_stands_in_the_label(ax):
     """Matplotlib would write it over the axes, where the ribbon of modes hides it."""
-    motion = hh.simulate(hh.Hoop.ideal(0.5, mass=1e8), hh.Plane(), hh.Start.rolling(1.0), duration=0.5)
+    motion = hh.simulate(hh.Scenario.from_query("duration=0.5&hoop.mass=100000000&hoop.load_fraction=0.5&start.speed=1"))
     plots.contact_forces(motion, "time", ax=ax)
     FigureCanvasAgg(ax.figure).draw()
     assert ax.get_ylabel() == r"Force ($10^{6}$ N)"
@@ -197,7 +197,7 @@ def test_the_one_drawing_of_the_hoop_is_at_its_pose(ax):
 
 
 def test_the_ground_fills_all_below_a_slope(ax):
-    plots.path(hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(slope=0.5), hh.Start.rolling(2.0), duration=2.0), ax=ax)
+    plots.path(hh.simulate(hh.Scenario.from_query("duration=2&hoop.load_fraction=0.5&plane.slope=0.5&start.speed=2")), ax=ax)
     ground, low = ax.patches[0].get_path(), ax.get_ylim()[0]
     for x in np.linspace(*ax.get_xlim(), 7):
         level = -math.tan(0.5) * x

@@ -259,8 +259,7 @@ def test_what_a_motion_replaces_is_there():
 
 def test_a_tie_asks_for_more_digits_until_there_are_none():
     """At √(gR/γ) N is zero at the start: only at the last precision the derivative decides."""
-    start = hh.Start.rolling(2.0)
-    scenario = hh.Scenario(plane=hh.Plane(gravity=3.0), start=start, duration=0.2)
+    scenario = hh.Scenario.from_query("duration=0.2&plane.gravity=3&start.speed=2")
     with pytest.raises(MorePrecision):
         Run(Problem.of(scenario), 150, False, 1e-20).run()
     assert Run(Problem.of(scenario), 150, True, 1e-20).run().records[0].after_mode == Mode.SKID

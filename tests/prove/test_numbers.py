@@ -100,10 +100,10 @@ MOTIONS = {
     "hop": hh.Scenario(duration=2.0),
     "bounce": hh.Scenario(plane=BOUNCE, start=hh.Start(height=0.1, omega=2.0, vx=1.0), duration=1.0),
     "resisted": hh.Scenario(plane=hh.Plane(mu=0.1, rolling_resistance=0.05), start=hh.Start(vx=1.0, omega=0.5), duration=2.0),
-    "smooth": hh.Scenario(plane=hh.Plane(mu=0.0), start=hh.Start(vx=0.0, omega=1.0, angle=1.0), duration=0.5),
+    "smooth": hh.Scenario.from_query("duration=0.5&plane.mu=0&start.angle=1&start.omega=1"),
     "rest": hh.Scenario(plane=hh.Plane(rolling_resistance=0.3), start=hh.Start(vx=0.0, omega=0.0, angle=0.1), duration=0.5),
-    "paradox": hh.Scenario(plane=hh.Plane(mu=1.2), start=hh.Start(angle=-0.7, vx=3.0, omega=1.0), duration=0.1),
-    "slides": hh.Scenario(plane=hh.Plane(mu=0.1), start=hh.Start(vx=1.0, omega=0.0), hoop=hh.Hoop.ideal(0.0), duration=0.1),
+    "paradox": hh.Scenario.from_query("duration=0.1&plane.mu=1.2&start.angle=-0.7&start.vx=3&start.omega=1"),
+    "slides": hh.Scenario.from_query("duration=0.1&hoop.load_fraction=0&plane.mu=0.1&start.vx=1"),
 }
 
 
@@ -169,7 +169,7 @@ def test_nothing_ends_bounces_but_a_bound_on_all_later_ones(monkeypatch):
 
 
 def test_bounces_on_infinite_friction_are_undecided_with_a_reason():
-    scenario = hh.Scenario(plane=hh.Plane(mu=math.inf, restitution=0.5), start=hh.Start(height=0.5, omega=2.0), duration=3.0)
+    scenario = hh.Scenario.from_query("duration=3&plane.mu=inf&plane.restitution=0.5&start.height=0.5&start.omega=2")
     found = prove(scenario, 8, seconds=0.5)
     assert found.verdict == "undecided"
     assert found.why
@@ -224,7 +224,7 @@ def test_settings_are_as_before_after_an_interruption():
 
 # slip, rolling and a hop; bounces; rolling with resistance; slip with turning points
 CLOCKED = {name: MOTIONS[name] for name in ("hop", "bounce", "resisted")} | {
-    "rocking": hh.Scenario(plane=hh.Plane(mu=0.1), start=hh.Start(vx=-1.0, omega=1.5, angle=2.0), duration=3.0)
+    "rocking": hh.Scenario.from_query("duration=3&plane.mu=0.1&start.angle=2&start.vx=-1&start.omega=1.5")
 }
 
 

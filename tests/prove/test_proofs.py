@@ -87,8 +87,9 @@ def test_what_is_not_covered_stays_undecided():
 @pytest.mark.slow
 def test_a_jam_stays_undecided_and_says_where():
     """The slip runs into p_σ = 0, where the contact force has no bound; what comes before it is proved."""
-    start = hh.Start(angle=-2.312, vx=30.37, omega=5.654)
-    scenario = hh.Scenario(plane=hh.Plane(mu_static=1.219, mu_kinetic=1.21), start=start, duration=1.0)
+    scenario = hh.Scenario.from_query(
+        "duration=1&plane.mu_static=1.219&plane.mu_kinetic=1.21&start.angle=-2.312&start.vx=30.37&start.omega=5.654"
+    )
     assert hh.simulate(scenario).status == "jammed"
     proof = prove(scenario, 5)
     assert (proof.verdict, [event.kind for event in proof.events]) == ("undecided", ["start"])

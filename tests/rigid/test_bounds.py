@@ -25,7 +25,7 @@ def assert_finite(motion):
 @pytest.mark.compiled
 def test_panels_are_used_up():
     """16 turns a millisecond for 30 years: the motion ends with what has been computed, and says where."""
-    motion = hh.simulate(hh.Scenario(hoop=hh.Hoop.ideal(0.0, radius=1e-2), start=hh.Start.rolling(1e3), duration=1e9))
+    motion = hh.simulate(hh.Scenario.from_query("duration=1000000000&hoop.radius=0.01&hoop.load_fraction=0&start.speed=1000"))
     assert motion.status == "event_limit"
     assert 0.9 * MOST_PANELS <= 2 * len(motion.tables["segments"]) <= MOST_PANELS
     end = motion.events[-1]
@@ -88,7 +88,7 @@ def test_a_motion_whose_panels_are_not_resolved_says_so(monkeypatch):
     for name in ("solve", "solve_noinline"):
         monkeypatch.setattr(panel_choice, name, failing)
     with forced("interpreted"):
-        motion = hh.simulate(hh.Scenario(plane=hh.Plane(mu=10.0), start=hh.Start.rolling(3.1)))
+        motion = hh.simulate(hh.Scenario.from_query("plane.mu=10"))
     assert motion.status == "undetermined"
     assert 0.0 < motion.duration < 1.0
     assert motion.doubt == pytest.approx(motion.duration)

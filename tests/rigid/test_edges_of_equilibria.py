@@ -80,8 +80,7 @@ def test_other_slow_motions_lose_digits_or_are_in_doubt(link, until, t, error):
 @pytest.mark.compiled
 def test_the_ledgers_of_long_motions_and_of_slow_slip_on_little_friction():
     """2.8 m/s over 600 s and 1,400 events: it was off by 1.5e-10 J, and by 5.6e-8 J after 6,000 s."""
-    contact = hh.Rigid(max_events=100_000)
-    motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(2.8), duration=600.0, contact=contact)
+    motion = hh.simulate(hh.Scenario.from_query("duration=600&start.speed=2.8"))
     assert len(motion.events) > 1400
     assert abs(motion.ledger.residual) < 1e-11
     rng = np.random.default_rng(8)

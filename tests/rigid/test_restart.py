@@ -56,7 +56,7 @@ def test_slip_below_the_static_limit_goes_on():
 
 def test_a_load_that_slides_on_the_plane_goes_on():
     """The massless hoop after the strike of its load."""
-    motion = hh.simulate(hh.Hoop.ideal(1.0), hh.Plane(mu=0.3), hh.Start.rolling(1.0), duration=3.0)
+    motion = hh.simulate(hh.Scenario.from_query("duration=3&hoop.load_fraction=1&plane.mu=0.3&start.speed=1"))
     (strike,) = motion.find("impact")
     assert strike.to_mode in "SK"
     again = onward(motion, motion.at(0.5 * (strike.t + motion.duration)))

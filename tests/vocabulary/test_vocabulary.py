@@ -42,8 +42,7 @@ def test_each_word_is_that_of_slip_and_rotation():
 
 
 def test_a_slip_in_which_the_hoop_turns_back_changes_its_word():
-    start = hh.Start(vx=4.0, omega=-0.8)  # thrown ahead with backspin
-    thrown = hh.simulate(hh.Hoop.ideal(0.3), hh.Plane(mu=0.3), start, duration=4.0)
+    thrown = hh.simulate(hh.Scenario.from_query("duration=4&hoop.load_fraction=0.3&plane.mu=0.3&start.vx=4&start.omega=-0.8"))
     turn = next(event for event in thrown.find("turn") if event.to_mode in ("S", "K"))
     before, after = (piece for piece in phases(thrown) if turn.t in (piece.t, piece.end_t))
     assert before.mode == after.mode
