@@ -40,6 +40,12 @@ def test_in_rolling_the_energy_gives_the_load():
     assert (found["gamma"], found["angle0"]) == pytest.approx((0.6, 0.1), abs=1e-3)
 
 
+def test_a_phone_does_not_tell_how_high_a_hoop_flies():
+    """A record of flight and landing alone gave an angular velocity 'explained', and a restitution 13 errors off."""
+    with pytest.raises(ValueError, match="start = 'flying' must be auto, rolling or sliding for angular velocities alone"):
+        hh.fit(track_of(np.arange(30) / 100, {"omega": np.full(30, 5.0)}, radius=RADIUS), start="flying")
+
+
 def test_the_error_may_be_given():
     t = np.arange(40) / 100.0
     track = track_of(t, {"omega": hopping().at(t).omega}, radius=RADIUS)

@@ -174,6 +174,8 @@ def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters]:
             f"{track.source or 'The record'} lasts {run.t[-1]:.4g} s, and the free motion of a hoop some seconds: give its "
             "part by --from and --to (since= and until= in a Reading). Or are its times in ms?"
         )
+    if how.start == "flying" and {one.name for one in run.channels} == {"omega"}:
+        raise InputError.of_field("start", how.start, "auto, rolling or sliding for angular velocities alone")
     if how.start == "auto":
         run = replace(run, start=start_kind(run))
     params = _parameters(problem_of([run]), *defaults(run, track), how)
