@@ -3,9 +3,11 @@
 import contextlib
 import os
 import re
+import textwrap
 import threading
 import time
 from pathlib import Path
+from string import Template
 from urllib.parse import urljoin
 
 import pytest
@@ -239,6 +241,17 @@ def each_of(flows, *long):
     return pytest.mark.parametrize("flow", marked)
 
 
+def steps_of(text, names):
+    """Steps of a text, a line each that goes on where it is indented; `#` begins a comment, `3 ×` tells how often.
+
+    `$NAME` stands for one of the names; all know SETTLED and SHOWN.
+    """
+    for line in re.sub(r"\n +", " ", textwrap.dedent(text)).split("\n"):
+        often, step = re.fullmatch(r"(?:(\d+) × )?(.*)", line).groups()
+        if step and not step.startswith("# "):
+            yield from int(often or 1) * [Template(step).safe_substitute(names, SETTLED=SETTLED, SHOWN=SHOWN)]
+
+
 def follow(page, steps):
     """Take steps, each a line that begins with a verb of `Steps`; `is` checks that something holds at once."""
     does = Steps(page)
@@ -248,11 +261,11 @@ def follow(page, steps):
         getattr(does, {"is": "check"}.get(verb, verb))(said)
 
 
-def take(visit, flow):
-    """Take the steps of a flow, which has a link, options and these, and return the page."""
+def take(visit, flow, names):
+    """Take the steps of a flow, which has a link, options and these, as a list or as a text with names; return the page."""
     link, options, steps = flow
     page = visit(link, **options)
-    follow(page, steps)
+    follow(page, steps_of(steps, names) if isinstance(steps, str) else steps)
     return page
 
 

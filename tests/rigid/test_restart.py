@@ -27,25 +27,6 @@ def test_random_cuts():
     assert compared > 80
 
 
-def test_slip_that_has_just_begun_stays_slip():
-    """From the state alone, v_t = 0 would roll on: the mode is part of it."""
-    (begins, *_) = HOP.find("slip_start")
-    again = onward(HOP, begins)
-    exact = hh.simulate(again.scenario, digits=20)
-    assert begins.slip == 0.0
-    assert again.sequence == exact.sequence == HOP.sequence[1:]
-    for other in (again, exact):
-        assert float(other.events[-1].angle) == pytest.approx(HOP.events[-1].angle, abs=1e-11)
-
-
-def test_the_left_side_of_a_take_off_is_no_doubt():
-    """N is zero there within rounding, and the mode says that slip ends."""
-    (takeoff,) = HOP.find("takeoff")
-    again = onward(HOP, HOP.at(takeoff.t, "left"))
-    assert (again.doubt, again.sequence) == (math.inf, "HR")
-    assert again.events[-1].angle == pytest.approx(HOP.events[-1].angle, abs=1e-12)
-
-
 def test_slip_below_the_static_limit_goes_on():
     """With μs > μk both rolling and slip are possible without slip velocity: the mode tells."""
     plane = hh.Plane(mu_static=1.0, mu_kinetic=0.05, slope=0.3)

@@ -1,6 +1,6 @@
 """The hoop in the visitor's hand: by mouse, finger and keys; what is computed is what the hand has chosen."""
 
-from lab_page_tools import PHONE, SETTLED, each_of, take
+from lab_page_tools import PHONE, each_of, take
 
 CALM = {"reduced_motion": "reduce"}
 START = "lab.film().scenario.start"
@@ -29,80 +29,93 @@ TOUCH = """const { view } = { view: lab.stage.flat.views[0] };
 
 # name: (link, options, steps), as in test_flows.py
 FLOWS = {
-    "the load is turned, and the motion follows the hand": ("?start.speed=2", CALM, [
-        f"until {SETTLED}",
-        f"do {RADIUS}",
-        "drag .grip-load: [[0.7 * radius, 0.3 * radius], [radius, radius]]",  # a quarter turn
-        "wait 600",  # so long that the address of the page is written while the hoop is in the hand
-        f"until {SETTLED}",
-        f"is location.search === '?start.speed=2' && near({START}.angle, Math.PI / 2, 0.03)",
-        "is lab.motions.history.past.length === 0 && lab.stage.options.ahead",  # still in the hand
-        "drop",
-        DONE,
-        f"is {START}.speed === 0",  # as the hand was at rest
-        "is lab.clock.time === 0 && !lab.stage.options.ahead",
-        "press z",
-        "until lab.film().query === 'start.speed=2'",
-    ]),
-    "what is let go has the speed of the hand, and what is turned by keys keeps that of the hoop": ("?start.speed=0", CALM, [
-        f"until {SETTLED}",
-        f"do {PULL} globalThis.held = pull('hoop', 0, (k) => place(0.02 * k, 1))",  # 2 m/s
-        "is near(held.vx, 2, 1e-6) && held.height === 0 && near(held.angle, 0.4, 1e-6)",  # it has rolled 0.4 m in the hand
-        f"do {PULL} globalThis.held = pull('load', 0, (k) => ({{ clientX: 300 + 4 * k, clientY: 100 }}), 400)",
-        "is held.omega === 0",  # a hand that has come to rest before it lets go gives none
-        "do return lab.load('start.speed=3.1')",
-        f"until {SETTLED}",
-        f"do {PULL} globalThis.held = [0, 0.5].map((time) => turned(time, 0.3).vx)",  # also where it rolls or slips later
-        "is held.every((vx) => near(vx, 0.3, 1e-6))",
-        f"do {PULL} globalThis.held = turned(1.4, 0.3)",  # in flight
-        "is held.height > 0 && held.vx === 0 && held.vy === 0 && near(held.omega, 0.3, 1e-6)",
-        f"do {PULL} globalThis.held = turned(0, 2)",
-        "is near(held.vx, 2, 1e-6)",
-        "do return lab.load('start.speed=3.616628264005025')",  # which stays as it is, to its last digit
-        f"until {SETTLED}",
-        "do first('.grip-load').focus()",
-        "press ArrowRight",
-        "press Enter",
-        f"until {START}.angle !== 0 && lab.motions.history.holds(lab.motions.queries())",
-        f"is {START}.speed === 3.616628264005025",
-    ]),
-    "a hoop at rest with its load at the top falls to a side": ("?start.speed=0&start.angle=0.3", CALM, [
-        f"until {SETTLED}",
-        "do const { grips } = lab.extras; grips.change('load', { ...lab.film().at(0), angle: 0, slope: 0 }, true)",
-        f"until {START}.angle === 0.02 && {SETTLED}",
-        "is lab.film().at(3).angle > 0.3",
-        "do const { grips } = lab.extras; grips.change('hoop', { ...lab.film().at(0), angle: 0, height: 0.2, slope: 0 }, true)",
-        f"until {START}.height === 0.2 && {SETTLED}",
-        f"is {START}.angle === 0.02 && Math.abs(lab.film().at(5).angle) > 0.3",
-    ]),
-    "it is pulled up and dropped, and Escape takes it back": ("?start.speed=0&start.angle=0.5", CALM, [
-        f"until {SETTLED}",
-        "do globalThis.scale = lab.stage.flat.views[0].scale",
-        "drag .grip-hoop: [[0, -10], [0, -0.3 * scale]]",
-        "wait 250",
-        f"until {SETTLED}",
-        f"is near({START}.height, 0.3, 0.02)",
-        "is near(lab.stage.flat.views[0].scale / scale, 1, 1e-9)",  # the hoop stays under the hand
-        "drop",
-        DONE,
-        f"is lab.film().sequence[0] === 'H' && near(event('impact').t / Math.sqrt(2 * {START}.height / 9.81), 1, 1e-3)",
-        "do globalThis.before = lab.film().query; first('.grip-load').focus()",
-        "press ArrowRight",
-        "until lab.stage.options.ahead",
-        "press Escape",
-        "until lab.film().query === before",  # what is let go by Escape was never taken
-    ]),
-    "a finger tilts the plane without scrolling the page": ("", PHONE, [
-        f"until {SETTLED}",
-        f"do {TOUCH}",
-        "touch .grip-plane: Array.from({ length: 7 }, (_, k) => [0, k / 6 * reach * Math.tan(Math.PI / 18)])",
-        DONE,
-        "is near(lab.film().scenario.plane.slope, Math.PI / 18, 0.011) && scrollY === 0",
-        "until lab.clock.playing",  # it runs when the hand lets go
-    ]),
+    "the load is turned, and the motion follows the hand": ("?start.speed=2", CALM, """
+        until $SETTLED
+        do $RADIUS
+        # a quarter turn
+        drag .grip-load: [[0.7 * radius, 0.3 * radius], [radius, radius]]
+        # so long that the address of the page is written while the hoop is in the hand
+        wait 600
+        until $SETTLED
+        is location.search === '?start.speed=2' && near($START.angle, Math.PI / 2, 0.03)
+        # still in the hand
+        is lab.motions.history.past.length === 0 && lab.stage.options.ahead
+        drop
+        $DONE
+        # as the hand was at rest
+        is $START.speed === 0
+        is lab.clock.time === 0 && !lab.stage.options.ahead
+        press z
+        until lab.film().query === 'start.speed=2'
+    """),
+    "what is let go has the speed of the hand, and what is turned by keys keeps that of the hoop": ("?start.speed=0", CALM, """
+        until $SETTLED
+        # 2 m/s
+        do $PULL globalThis.held = pull('hoop', 0, (k) => place(0.02 * k, 1))
+        # it has rolled 0.4 m in the hand
+        is near(held.vx, 2, 1e-6) && held.height === 0 && near(held.angle, 0.4, 1e-6)
+        do $PULL globalThis.held = pull('load', 0, (k) => ({ clientX: 300 + 4 * k, clientY: 100 }), 400)
+        # a hand that has come to rest before it lets go gives none
+        is held.omega === 0
+        do return lab.load('start.speed=3.1')
+        until $SETTLED
+        # also where it rolls or slips later
+        do $PULL globalThis.held = [0, 0.5].map((time) => turned(time, 0.3).vx)
+        is held.every((vx) => near(vx, 0.3, 1e-6))
+        # in flight
+        do $PULL globalThis.held = turned(1.4, 0.3)
+        is held.height > 0 && held.vx === 0 && held.vy === 0 && near(held.omega, 0.3, 1e-6)
+        do $PULL globalThis.held = turned(0, 2)
+        is near(held.vx, 2, 1e-6)
+        # which stays as it is, to its last digit
+        do return lab.load('start.speed=3.616628264005025')
+        until $SETTLED
+        do first('.grip-load').focus()
+        press ArrowRight
+        press Enter
+        until $START.angle !== 0 && lab.motions.history.holds(lab.motions.queries())
+        is $START.speed === 3.616628264005025
+    """),
+    "a hoop at rest with its load at the top falls to a side": ("?start.speed=0&start.angle=0.3", CALM, """
+        until $SETTLED
+        do const { grips } = lab.extras; grips.change('load', { ...lab.film().at(0), angle: 0, slope: 0 }, true)
+        until $START.angle === 0.02 && $SETTLED
+        is lab.film().at(3).angle > 0.3
+        do const { grips } = lab.extras; grips.change('hoop', { ...lab.film().at(0), angle: 0, height: 0.2, slope: 0 }, true)
+        until $START.height === 0.2 && $SETTLED
+        is $START.angle === 0.02 && Math.abs(lab.film().at(5).angle) > 0.3
+    """),
+    "it is pulled up and dropped, and Escape takes it back": ("?start.speed=0&start.angle=0.5", CALM, """
+        until $SETTLED
+        do globalThis.scale = lab.stage.flat.views[0].scale
+        drag .grip-hoop: [[0, -10], [0, -0.3 * scale]]
+        wait 250
+        until $SETTLED
+        is near($START.height, 0.3, 0.02)
+        # the hoop stays under the hand
+        is near(lab.stage.flat.views[0].scale / scale, 1, 1e-9)
+        drop
+        $DONE
+        is lab.film().sequence[0] === 'H' && near(event('impact').t / Math.sqrt(2 * $START.height / 9.81), 1, 1e-3)
+        do globalThis.before = lab.film().query; first('.grip-load').focus()
+        press ArrowRight
+        until lab.stage.options.ahead
+        press Escape
+        # what is let go by Escape was never taken
+        until lab.film().query === before
+    """),
+    "a finger tilts the plane without scrolling the page": ("", PHONE, """
+        until $SETTLED
+        do $TOUCH
+        touch .grip-plane: Array.from({ length: 7 }, (_, k) => [0, k / 6 * reach * Math.tan(Math.PI / 18)])
+        $DONE
+        is near(lab.film().scenario.plane.slope, Math.PI / 18, 0.011) && scrollY === 0
+        # it runs when the hand lets go
+        until lab.clock.playing
+    """),
 }  # fmt: skip
 
 
 @each_of(FLOWS, "it is pulled up and dropped, and Escape takes it back", "a finger tilts the plane without scrolling the page")
 def test_a_hand(visit, flow):
-    take(visit, flow)
+    take(visit, flow, globals())

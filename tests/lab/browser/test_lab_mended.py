@@ -74,48 +74,50 @@ FLOWS = {
         "forward", at(2.2), "press z", at(2),
         "until location.search === '?start.speed=2'",
     ]),
-    "a link holds what is seen": ("?start.speed=2", {}, [
-        f"until {SETTLED}",
-        "press f",
-        "do lab.clock.seek(1.25); lab.map.axes.windows = { x: [1, 2], y: [0.5, 1] }",
-        "drag .stage-keys: (({ offsetWidth, offsetHeight }) =>"
-        " [[0, -9], [-0.25 * offsetWidth, 0.1 * offsetHeight]])(first('.stage'))",
-        "drop",
-        "is lab.link().includes('&pan=-0.25,0.1')",
-        "do location.href = lab.link()",
-        "size 1000 800",
-        "reload",
-        "until near(lab.stage.flat.pan()[0], -0.25, 2e-3) && near(lab.stage.flat.pan()[1], 0.1, 2e-3)",
-        "is lab.clock.time === 1.25 && !lab.stage.options.forces",
-        "is lab.map.axes.windows.x[0] === 1 && lab.map.axes.windows.y[1] === 1",
-    ]),
-    "a screen reader hears little and what matters": ("", {}, [
-        f"until {SETTLED}",
-        f"is {REGIONS}.length <= 4",
-        f"do {LISTEN}",
-        "press Space",
-        "until lab.clock.time > 1.2",
-        "press Space",
-        "is said <= 12",  # some changes of mode, no frames
-        "press Home",
-        "press h",
-        "until first('.spoken').textContent === 'take-off at 315.6°, 1.045 s'",
-        "until first('.timeline').getAttribute('aria-valuetext') === '1.045 seconds, flight'",
-    ]),
+    "a link holds what is seen": ("?start.speed=2", {}, """
+        until $SETTLED
+        press f
+        do lab.clock.seek(1.25); lab.map.axes.windows = { x: [1, 2], y: [0.5, 1] }
+        drag .stage-keys: (({ offsetWidth, offsetHeight }) => [[0, -9], [-0.25 * offsetWidth, 0.1 *
+            offsetHeight]])(first('.stage'))
+        drop
+        is lab.link().includes('&pan=-0.25,0.1')
+        do location.href = lab.link()
+        size 1000 800
+        reload
+        until near(lab.stage.flat.pan()[0], -0.25, 2e-3) && near(lab.stage.flat.pan()[1], 0.1, 2e-3)
+        is lab.clock.time === 1.25 && !lab.stage.options.forces
+        is lab.map.axes.windows.x[0] === 1 && lab.map.axes.windows.y[1] === 1
+    """),
+    "a screen reader hears little and what matters": ("", {}, """
+        until $SETTLED
+        is $REGIONS.length <= 4
+        do $LISTEN
+        press Space
+        until lab.clock.time > 1.2
+        press Space
+        # some changes of mode, no frames
+        is said <= 12
+        press Home
+        press h
+        until first('.spoken').textContent === 'take-off at 315.6°, 1.045 s'
+        until first('.timeline').getAttribute('aria-valuetext') === '1.045 seconds, flight'
+    """),
     "on a phone": on_a_phone(390, 844),
     "on a phone held across": on_a_phone(844, 390, "is first('.transport .play').getBoundingClientRect().y + 44 <= 390"),
-    "what is given up or takes too long ends at once": ("?duration=1", {}, [
-        f"until {SETTLED}",
-        f"do const given = true; {ENDED}",
-        "is said.includes('AbortError') && took < 5000 && after === 'completed'",
-        f"do const given = false; {ENDED}",
-        "is said.includes('Stopped after 0.15 s') && took < 5000 && after === 'completed'",
-        f"do {COUNTED}",  # a compliant motion is computed again only where it has many events
-        "do await lab.backend.film({ query: 'contact.model=compliant&duration=20' })",
-        "is called === 1",
-        "do await lab.backend.film({ query: 'contact.model=compliant&duration=120' })",
-        "is called === 3",
-    ]),
+    "what is given up or takes too long ends at once": ("?duration=1", {}, """
+        until $SETTLED
+        do const given = true; $ENDED
+        is said.includes('AbortError') && took < 5000 && after === 'completed'
+        do const given = false; $ENDED
+        is said.includes('Stopped after 0.15 s') && took < 5000 && after === 'completed'
+        # a compliant motion is computed again only where it has many events
+        do $COUNTED
+        do await lab.backend.film({ query: 'contact.model=compliant&duration=20' })
+        is called === 1
+        do await lab.backend.film({ query: 'contact.model=compliant&duration=120' })
+        is called === 3
+    """),
 }  # fmt: skip
 
 
@@ -127,4 +129,4 @@ FLOWS = {
     "on a phone held across",
 )
 def test_in_use(visit, flow):
-    take(visit, flow)
+    take(visit, flow, globals())

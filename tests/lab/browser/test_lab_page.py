@@ -3,7 +3,7 @@
 import pytest
 
 import hophoop as hh
-from lab_page_tools import SETTLED, SHOWN, colors_on, each_of, picture, summary, take, wait_for
+from lab_page_tools import colors_on, each_of, picture, summary, take, wait_for
 from slow_page import also_delayed
 
 
@@ -28,63 +28,63 @@ def test_the_page_opens_with_the_hop(visit):
 
 # name: (link, options, steps), as in test_flows.py
 FLOWS = {
-    "real parts and compliant contact, and the sentence of a part stays": ("", {}, [
-        f"until {SHOWN}",
-        "do lab.controls.way.select.closest('details').open = true",
-        "choose .group:first-child>.choice>select parts",
-        "until all('.part input').length === 5",
-        "do all('.part input')[0].id = 'mass'; all('.part input')[3].id = 'load'",
-        "write #mass heavy",
-        "until all('.parts .error').filter(shown).length === 1",
-        "write #load 0.4",
-        "fill start.speed 2.5",
-        f"until lab.film().values['start.speed'] === 2.5 && {SETTLED}",
-        "is all('.parts .error').filter(shown).length === 1 && first('#mass').value === 'heavy'",
-        "is lab.film().scenario.hoop.parts[1].mass === 0.4",
-        "choose .parts+select disk",
-        "until lab.film().scenario.hoop.parts.length === 3",
-        "click .group:last-child>summary",
-        "choose select[data-path='contact.model'] compliant",
-        "until lab.film().scenario.contact.model === 'compliant'",
-        "is first('[aria-label=\"Stiffness, exact value in N/m\"]').placeholder.startsWith('auto ')",
-    ]),
-    "it plays and is scrubbed": ("", {}, [
-        f"until {SHOWN}",
-        "do globalThis.before = lab.frames",
-        "press Space",
-        "until lab.clock.time > 0.3 && lab.frames > before + 5",
-        "press Space",
-        "do first('.timeline-canvas').scrollIntoView({ block: 'center' })",
-        "drag .timeline-canvas: [[0.25 * first('.timeline-canvas').offsetWidth, 0]]",
-        "drop",
-        "is near(lab.clock.time, 4.5, 0.02)",
-        "press Home",
-        "press h",
-        "is lab.clock.time === event('takeoff').t",
-        "until text('.readout .mode') === 'flight'",
-        "press l",
-        "is lab.clock.time === event('impact').t",
-        "press ArrowRight",
-        "is near(lab.clock.time, event('impact').t + 1 / 60, 1e-9)",
-        "press Shift+ArrowLeft",
-        "is lab.clock.time === event('impact').t",
-    ]),
-    "a link opens the same motions": ("?start.speed=2.9&plane.restitution=0.4", {}, [
-        "button Compare two hoops",
-        "fill plane.mu 0.5",
-        "until lab.films().length === 2 && lab.motions.history.past.length === 2",
-        "do sessionStorage.kept = lab.films().map((film) => film.sequence).join()",
-        "is new Set(sessionStorage.kept.split(',')).size === 2",
-        "reload",
-        "is lab.films().map((film) => film.sequence).join() === sessionStorage.kept",
-    ]),
+    "real parts and compliant contact, and the sentence of a part stays": ("", {}, """
+        until $SHOWN
+        do lab.controls.way.select.closest('details').open = true
+        choose .group:first-child>.choice>select parts
+        until all('.part input').length === 5
+        do all('.part input')[0].id = 'mass'; all('.part input')[3].id = 'load'
+        write #mass heavy
+        until all('.parts .error').filter(shown).length === 1
+        write #load 0.4
+        fill start.speed 2.5
+        until lab.film().values['start.speed'] === 2.5 && $SETTLED
+        is all('.parts .error').filter(shown).length === 1 && first('#mass').value === 'heavy'
+        is lab.film().scenario.hoop.parts[1].mass === 0.4
+        choose .parts+select disk
+        until lab.film().scenario.hoop.parts.length === 3
+        click .group:last-child>summary
+        choose select[data-path='contact.model'] compliant
+        until lab.film().scenario.contact.model === 'compliant'
+        is first('[aria-label="Stiffness, exact value in N/m"]').placeholder.startsWith('auto ')
+    """),
+    "it plays and is scrubbed": ("", {}, """
+        until $SHOWN
+        do globalThis.before = lab.frames
+        press Space
+        until lab.clock.time > 0.3 && lab.frames > before + 5
+        press Space
+        do first('.timeline-canvas').scrollIntoView({ block: 'center' })
+        drag .timeline-canvas: [[0.25 * first('.timeline-canvas').offsetWidth, 0]]
+        drop
+        is near(lab.clock.time, 4.5, 0.02)
+        press Home
+        press h
+        is lab.clock.time === event('takeoff').t
+        until text('.readout .mode') === 'flight'
+        press l
+        is lab.clock.time === event('impact').t
+        press ArrowRight
+        is near(lab.clock.time, event('impact').t + 1 / 60, 1e-9)
+        press Shift+ArrowLeft
+        is lab.clock.time === event('impact').t
+    """),
+    "a link opens the same motions": ("?start.speed=2.9&plane.restitution=0.4", {}, """
+        button Compare two hoops
+        fill plane.mu 0.5
+        until lab.films().length === 2 && lab.motions.history.past.length === 2
+        do sessionStorage.kept = lab.films().map((film) => film.sequence).join()
+        is new Set(sessionStorage.kept.split(',')).size === 2
+        reload
+        is lab.films().map((film) => film.sequence).join() === sessionStorage.kept
+    """),
 }  # fmt: skip
 
 
 @also_delayed
 @each_of(FLOWS)
 def test_a_page(visit, flow, request):
-    picture(take(visit, flow), request.node.name)
+    picture(take(visit, flow, globals()), request.node.name)
 
 
 def test_the_picture_follows_the_hand(visit):

@@ -99,14 +99,14 @@ BELOW = """(([player, table, head]) => table.top >= player.bottom && head.bottom
 
 
 def opened_table(simple):
-    return ("#t=0.8", {"simple": simple, "viewport": {"width": 1280, "height": 800}}, [
-        f"until {SHOWN}",
-        "click .learn summary",
-        "button Table of the motion",
-        f"until {BELOW}",
-        "wait 300",
-        f"is {BELOW}",
-    ])  # fmt: skip
+    return ("#t=0.8", {"simple": simple, "viewport": {"width": 1280, "height": 800}}, """
+        until $SHOWN
+        click .learn summary
+        button Table of the motion
+        until $BELOW
+        wait 300
+        is $BELOW
+    """)  # fmt: skip
 
 
 def in_order(simple, **options):
@@ -202,71 +202,75 @@ FLOWS = {
                 f"do {UNDER}", "is numbers.length > 0 && under.length === 0")),
         )),
     ]),
-    "a time in the list stays in one line": ("?start.speed=3.53", {"viewport": {"width": 1280, "height": 800}}, [
-        f"until {SHOWN}",
-        "is all('.when').some((one) => /^0[.]0[0-9]{4} s$/.test(one.innerText))",
-        "is all('.when').every((one) => one.offsetHeight < 24 && one.scrollWidth <= one.clientWidth)",
-    ]),
+    "a time in the list stays in one line": ("?start.speed=3.53", {"viewport": {"width": 1280, "height": 800}}, """
+        until $SHOWN
+        is all('.when').some((one) => /^0[.]0[0-9]{4} s$/.test(one.innerText))
+        is all('.when').every((one) => one.offsetHeight < 24 && one.scrollWidth <= one.clientWidth)
+    """),
     "at 200 % the read-out stays, and what is below the player can be read": (
-        "#t=0.8", {"simple": True, "viewport": {"width": 640, "height": 400}}, [
-        f"until {SHOWN}",
-        "is all('.readout dd').filter(shown).length === 6",
-        "do scrollTo(0, 300)",
-        "until first('.player').matches('.stuck')",
-        f"until {SETTLED}",
-        "is all('.readout dd').filter(shown).length === 2",
-        "is first('.player').getBoundingClientRect().height < 0.6 * innerHeight",
-    ]),
-    "what theory says stays in its card": ("", {"locale": "fr"}, [
-        "until lab.theory.list.children.length > 4",
-        "is all('.theory dd').every((one) =>"
-        " one.getBoundingClientRect().right < first('.theory').getBoundingClientRect().right)",
-        "is all('.theory dd').every((one) => one.scrollWidth <= one.clientWidth && one.clientWidth > 110)",  # no word a line
-    ]),
-    "larger letters of the browser are taken over also in pictures": ("", {"script": LARGE}, [
-        f"is {SIZES} === '28,24,24,26' && lab.theme.look.px === 2 && document.documentElement.scrollWidth === 1440",
-        f"until {SHOWN}",
-        "do first('[data-plot=velocities] .plot-body').scrollIntoView({ block: 'center' })",
-        "until lab.plots.plots[0].box",
-        "click [data-plot=velocities] .plot-body",  # its middle
-        "is near(lab.clock.time, (({ offsetWidth }) => 6 * (0.5 * offsetWidth - 104) / (offsetWidth - 124))"
-        "(first('[data-plot=velocities] .plot-body')), 0.02)",
-    ]),
-    "a presentation shows the player alone in proportion": ("#t=0.8", {"viewport": {"width": 1920, "height": 1080}}, [
-        f"until {SETTLED}",
-        "do globalThis.before = lab.theme.look.px; lab.extras.present.turn(true)",
-        "until !lab.surrounding && lab.theme.look.px > 1",
-        "is (({ x, y, width, height }) => near(x + y, 0, 1) && near(width, 1920, 1) && near(height, 1080, 1))"
-        "(first('.player').getBoundingClientRect())",
-        "is first('.legend').getBoundingClientRect().right < first('.leave').getBoundingClientRect().left",
-        "is all('.readout dd').filter(shown).length === 6",
-        "is !seen('.why, .words, .map, .side, .top') && document.documentElement.scrollHeight <= 1080",
-        "is 11 * lab.theme.look.px >= 0.02 * 1080",  # numbers on the axes are as high as a line on a blackboard
-        "do lab.extras.present.turn(false)",
-        "until lab.theme.look.px === before",
-    ]),
-    "letters are usual, and pictures are drawn for the width of a sheet": ("#t=0.8", {}, [
-        f"until {SHOWN}",
-        f"is {SIZES} === '14,12,12,13' && lab.theme.look.px === 1",
-        f"do globalThis.before = {DRAWN}; dispatchEvent(new Event('beforeprint')); globalThis.printed = {DRAWN}",  # at once
-        "is printed.length > 3 && printed.every(([across, down, width]) =>"
-        " near(across / down, 1, 0.02) && near(width, 180 / 25.4 * 96, 1))",
-        "do dispatchEvent(new Event('afterprint'))",
-        f"until {SETTLED}",
-        f"is JSON.stringify({DRAWN}) === JSON.stringify(before)",
+        "#t=0.8", {"simple": True, "viewport": {"width": 640, "height": 400}}, """
+        until $SHOWN
+        is all('.readout dd').filter(shown).length === 6
+        do scrollTo(0, 300)
+        until first('.player').matches('.stuck')
+        until $SETTLED
+        is all('.readout dd').filter(shown).length === 2
+        is first('.player').getBoundingClientRect().height < 0.6 * innerHeight
+    """),
+    "what theory says stays in its card": ("", {"locale": "fr"}, """
+        until lab.theory.list.children.length > 4
+        is all('.theory dd').every((one) => one.getBoundingClientRect().right <
+            first('.theory').getBoundingClientRect().right)
+        # no word a line
+        is all('.theory dd').every((one) => one.scrollWidth <= one.clientWidth && one.clientWidth > 110)
+    """),
+    "larger letters of the browser are taken over also in pictures": ("", {"script": LARGE}, """
+        is $SIZES === '28,24,24,26' && lab.theme.look.px === 2 && document.documentElement.scrollWidth === 1440
+        until $SHOWN
+        do first('[data-plot=velocities] .plot-body').scrollIntoView({ block: 'center' })
+        until lab.plots.plots[0].box
+        # its middle
+        click [data-plot=velocities] .plot-body
+        is near(lab.clock.time, (({ offsetWidth }) => 6 * (0.5 * offsetWidth - 104) / (offsetWidth -
+            124))(first('[data-plot=velocities] .plot-body')), 0.02)
+    """),
+    "a presentation shows the player alone in proportion": ("#t=0.8", {"viewport": {"width": 1920, "height": 1080}}, """
+        until $SETTLED
+        do globalThis.before = lab.theme.look.px; lab.extras.present.turn(true)
+        until !lab.surrounding && lab.theme.look.px > 1
+        is (({ x, y, width, height }) => near(x + y, 0, 1) && near(width, 1920, 1) && near(height, 1080,
+            1))(first('.player').getBoundingClientRect())
+        is first('.legend').getBoundingClientRect().right < first('.leave').getBoundingClientRect().left
+        is all('.readout dd').filter(shown).length === 6
+        is !seen('.why, .words, .map, .side, .top') && document.documentElement.scrollHeight <= 1080
+        # numbers on the axes are as high as a line on a blackboard
+        is 11 * lab.theme.look.px >= 0.02 * 1080
+        do lab.extras.present.turn(false)
+        until lab.theme.look.px === before
+    """),
+    "letters are usual, and pictures are drawn for the width of a sheet": ("#t=0.8", {}, """
+        until $SHOWN
+        is $SIZES === '14,12,12,13' && lab.theme.look.px === 1
+        # at once
+        do globalThis.before = $DRAWN; dispatchEvent(new Event('beforeprint')); globalThis.printed = $DRAWN
+        is printed.length > 3 && printed.every(([across, down, width]) => near(across / down, 1, 0.02) && near(width, 180 /
+            25.4 * 96, 1))
+        do dispatchEvent(new Event('afterprint'))
+        until $SETTLED
+        is JSON.stringify($DRAWN) === JSON.stringify(before)
         # the mark of the dial covers no number
-        "do lab.extras.visit.go(3)",
-        "until text('.visit-count').startsWith('Step 4 ')",
-        "wait 100",
-        f"do {COVERED}",
-        "is texts.map(([text]) => text).join() === '0°,90°,180°,270°' && covered.length === 0",
-    ]),
+        do lab.extras.visit.go(3)
+        until text('.visit-count').startsWith('Step 4 ')
+        wait 100
+        do $COVERED
+        is texts.map(([text]) => text).join() === '0°,90°,180°,270°' && covered.length === 0
+    """),
 }  # fmt: skip
 
 
 @each_of(FLOWS)
 def test_it_is_in_its_place(visit, flow, request):
-    picture(take(visit, flow), request.node.name)
+    picture(take(visit, flow, globals()), request.node.name)
 
 
 def shot(page, selector):

@@ -122,55 +122,58 @@ FLOWS = {
         "/^R[^KH]*H/.test(lab.film().sequence)"
         " && text('.challenge-result').endsWith(`${digits(100 * event('apex').height)} cm.`)",
     ),
-    "a start of one's own counts, and a motion that breaks a rule has no points": ("", {}, [
-        "do lab.extras.challenges.open()",
-        "button Hop highest",
-        "do lab.load('plane.mu=0.8')",
-        f"until lab.film().scenario.plane.mu === 0.8 && {SETTLED}",
-        f"do globalThis.points = {METER}",
-        "do lab.motions.change([['plane.slope', 0.1]], true)",
-        f"until points > 0 && {METER} === 0 && {RESULT}.includes('The plane must be level.')",
-        f"is {OWN} === `Your best: ${{points}} points.`",
-    ]),
-    "the table holds the states of the motion, and any quantity stands on either axis": ("", {}, [
-        "do lab.extras.table.open(true)",
-        "choose .table-step>select 0.5",
-        f"do {ROW}",
-        "is lab.extras.table.body.rows.length === 13 && wrong.length === 0",
-        "save Save as CSV",
-        "is kept.startsWith('time [s],angle') && kept.split('\\r\\n').length === 15",
-        "is all('.table .check').length > 0 && !seen('.table .check')",  # the plain file is that of English
-        f"is {LONGEST} <= 9",
+    "a start of one's own counts, and a motion that breaks a rule has no points": ("", {}, """
+        do lab.extras.challenges.open()
+        button Hop highest
+        do lab.load('plane.mu=0.8')
+        until lab.film().scenario.plane.mu === 0.8 && $SETTLED
+        do globalThis.points = $METER
+        do lab.motions.change([['plane.slope', 0.1]], true)
+        until points > 0 && $METER === 0 && $RESULT.includes('The plane must be level.')
+        is $OWN === `Your best: ${points} points.`
+    """),
+    "the table holds the states of the motion, and any quantity stands on either axis": ("", {}, r"""
+        do lab.extras.table.open(true)
+        choose .table-step>select 0.5
+        do $ROW
+        is lab.extras.table.body.rows.length === 13 && wrong.length === 0
+        save Save as CSV
+        is kept.startsWith('time [s],angle') && kept.split('\r\n').length === 15
+        # the plain file is that of English
+        is all('.table .check').length > 0 && !seen('.table .check')
+        is $LONGEST <= 9
         # a spreadsheet in another language reads other signs, and programs the plain ones
-        "choose .language de",
-        "until text('.table .check') === 'für Programme (Komma, Dezimalpunkt)'",
-        "save Als CSV speichern",
-        "is kept.startsWith('\\xef\\xbb\\xbf' + 'Zeit [s];Winkel') && /\\r\\n0,5;107,\\d+;/.test(kept)",
-        "is kept.split('\\r\\n').every((line) => !line || line.split(';').length === 8)",
-        "click .table .check input",
-        "save Als CSV speichern",
-        "is kept.startsWith('Zeit [s],Winkel') && /\\r\\n0.5,107\\.\\d+,/.test(kept)",
-        "click .table .check input",
-        "choose .language en",
-        "until text('.table h2') === 'Table'",
-        "choose .plots-head>select x",
-        "choose [data-plot=own]>header>select total",
-        "until lab.plots.plots.at(-1).definition.unit === 'W [J]'",
-        "is first('[data-plot=own] .plot-body').ariaLabel.includes('total energy from')",
-        "do globalThis.end = lab.film().at(6)",
-        "is near(lab.plots.plots.at(-1).abscissa(lab.film()).at(-1), end.x, 1e-4)",
-        "is near(lab.plots.plots.at(-1).definition.curves(lab.film())[0].values.at(-1), end.kinetic + end.potential, 1e-4)",
-        "do lab.plots.plots[0].seek(7)",  # to the sample that is nearest on the chosen axis
-        "is near(lab.film().at(lab.clock.time).x, 7, 0.1)",
-    ]),
-    "sound follows the contact force": ("", {}, [
-        f"do {HEARD}",
-        "is wrong.length === 0 && apart.length === 0",
-        "is lab.extras.sound.constructor.heard(lab.film(), 1.3).tone === 0",  # in flight there is nothing to hear
-        "is lab.extras.sound.made === null",
-        "button Sound of the contact",
-        "is lab.extras.sound.made.context instanceof AudioContext",
-    ]),
+        choose .language de
+        until text('.table .check') === 'für Programme (Komma, Dezimalpunkt)'
+        save Als CSV speichern
+        is kept.startsWith('\xef\xbb\xbf' + 'Zeit [s];Winkel') && /\r\n0,5;107,\d+;/.test(kept)
+        is kept.split('\r\n').every((line) => !line || line.split(';').length === 8)
+        click .table .check input
+        save Als CSV speichern
+        is kept.startsWith('Zeit [s],Winkel') && /\r\n0.5,107\.\d+,/.test(kept)
+        click .table .check input
+        choose .language en
+        until text('.table h2') === 'Table'
+        choose .plots-head>select x
+        choose [data-plot=own]>header>select total
+        until lab.plots.plots.at(-1).definition.unit === 'W [J]'
+        is first('[data-plot=own] .plot-body').ariaLabel.includes('total energy from')
+        do globalThis.end = lab.film().at(6)
+        is near(lab.plots.plots.at(-1).abscissa(lab.film()).at(-1), end.x, 1e-4)
+        is near(lab.plots.plots.at(-1).definition.curves(lab.film())[0].values.at(-1), end.kinetic + end.potential, 1e-4)
+        # to the sample that is nearest on the chosen axis
+        do lab.plots.plots[0].seek(7)
+        is near(lab.film().at(lab.clock.time).x, 7, 0.1)
+    """),
+    "sound follows the contact force": ("", {}, """
+        do $HEARD
+        is wrong.length === 0 && apart.length === 0
+        # in flight there is nothing to hear
+        is lab.extras.sound.constructor.heard(lab.film(), 1.3).tone === 0
+        is lab.extras.sound.made === null
+        button Sound of the contact
+        is lab.extras.sound.made.context instanceof AudioContext
+    """),
     "a visit uses the window and halts at the event it speaks of": ("", {}, [
         *step(3),
         "is (({ width, right }) => right > 1420 && width + first('.visit').offsetWidth > 0.95 * 1440)"
@@ -207,4 +210,4 @@ FLOWS = {
     "sound follows the contact force",
 )
 def test_a_lesson(visit, flow):
-    take(visit, flow)
+    take(visit, flow, globals())

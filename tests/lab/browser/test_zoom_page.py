@@ -40,27 +40,28 @@ FLOWS = {
         "wait 300",
         "is lab.motions.history.past.length === 0 && lab.film().query === ''",
     ]),
-    "a diagram that is not drawn yet zooms and keeps its place": ("", {**PHONE, "script": NO_DIAGRAM_SEEN}, [
-        "until !lab.surrounding && [...lab.plots.seen.values()].every((seen) => !seen)",
-        "do first('[data-plot=forces] .plot-body').scrollIntoView({ block: 'center' })",
-        "wait 300",
-        f"do globalThis.before = {PLACES}",
-        "pinch [data-plot=forces] .plot-body",
-        "is near(lab.plots.shared.range[1] - lab.plots.shared.range[0], 1.5, 0.25)",
-        "do for (const plot of lab.plots.plots) lab.plots.seen.set(plot.element, true); lab.plots.redraw()",
-        f"is {PLACES}.every((place, k) => near(place, before[k], 0.5))",  # a line of a legend has 16 pixels
-    ]),
-    "the wheel scrolls on unless the stage is chosen": ("", {}, [
-        "point .stage 0.4 0.4",
-        "wheel 300",
-        "until scrollY > 100",
-        "is lab.stage.flat.zoom === 1",
-        "do scrollTo(0, 0)",
-        "click .stage",
-        "wheel -300",
-        "until lab.stage.flat.zoom > 1.2",
-        "is scrollY === 0",
-    ]),
+    "a diagram that is not drawn yet zooms and keeps its place": ("", {**PHONE, "script": NO_DIAGRAM_SEEN}, """
+        until !lab.surrounding && [...lab.plots.seen.values()].every((seen) => !seen)
+        do first('[data-plot=forces] .plot-body').scrollIntoView({ block: 'center' })
+        wait 300
+        do globalThis.before = $PLACES
+        pinch [data-plot=forces] .plot-body
+        is near(lab.plots.shared.range[1] - lab.plots.shared.range[0], 1.5, 0.25)
+        do for (const plot of lab.plots.plots) lab.plots.seen.set(plot.element, true); lab.plots.redraw()
+        # a line of a legend has 16 pixels
+        is $PLACES.every((place, k) => near(place, before[k], 0.5))
+    """),
+    "the wheel scrolls on unless the stage is chosen": ("", {}, """
+        point .stage 0.4 0.4
+        wheel 300
+        until scrollY > 100
+        is lab.stage.flat.zoom === 1
+        do scrollTo(0, 0)
+        click .stage
+        wheel -300
+        until lab.stage.flat.zoom > 1.2
+        is scrollY === 0
+    """),
     "a finger moves the map when it starts across, and leaves it when it starts upwards": ("", PHONE, [
         f"until {SHOWN}",
         *(step for across, down, moves in ((0, -60, "false"), (6, -50, "false"), (60, 4, "true")) for step in (
@@ -79,4 +80,4 @@ FLOWS = {
     "a finger moves the map when it starts across, and leaves it when it starts upwards",
 )
 def test_wheel_and_finger(visit, flow):
-    take(visit, flow)
+    take(visit, flow, globals())
