@@ -200,7 +200,12 @@ def run_limited(limit, *words):
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="needs a limit on the size of files")
 @pytest.mark.parametrize(
     ("option", "name", "limit"),
-    [("--save", "hop.nc", 20000), ("--save", "hop.zarr.zip", 30000), ("--out", "hop.json", 1000), ("--plot", "hop.png", 5000)],
+    [
+        pytest.param("--save", "hop.nc", 20000, marks=pytest.mark.long),
+        pytest.param("--save", "hop.zarr.zip", 30000, marks=pytest.mark.long),
+        ("--out", "hop.json", 1000),
+        ("--plot", "hop.png", 5000),
+    ],
 )
 def test_a_full_disk_leaves_the_old_file(motion, tmp_path, option, name, limit):
     target = tmp_path / name

@@ -118,6 +118,7 @@ def test_good_data_raise_no_question():
         assert asked(track, cost=1.0) == []
 
 
+@pytest.mark.long
 def test_a_doubtful_mistake_is_named_or_none():
     """Of a hoop that only rolls, times and radius are hard to tell apart."""
     assert all("times" in one for one in asked(stretched(TRACKS["rolling"], time=2.0)))

@@ -100,6 +100,7 @@ def test_a_pair_next_to_its_fold_is_found():
     assert [gait.stable for gait in pair] == [True, False]
 
 
+@pytest.mark.long
 def test_digits_are_those_of_the_section_at_pi(usual):
     """Not of the double next to π, which is 1.2e-16 before it; `hophoop prove` encloses the same point."""
     precise = usual.digits(18)

@@ -135,6 +135,7 @@ def test_a_border_just_before_the_limit_of_the_range_is_met():
     assert math.degrees(found.special[1].parameter) == pytest.approx(1.0275511980, abs=1e-10)
 
 
+@pytest.mark.long
 def test_doubled_gaits_are_followed(branch):
     twice = doubled(of_kind(branch, "border collision")[-1])
     assert twice.period == 2

@@ -8,16 +8,18 @@ from oracles import precise
 from oracles.cases import case_of
 from slopes import on_slope
 
+pytestmark = pytest.mark.long
+
 DIGITS = 28
 STEP = mpf(10) ** -9  # of central differences
 
 # Slope in degrees, load, θ̇ near which to look, phases, revolutions.
 GAITS = [
-    pytest.param(0.7, 0.81, 3.66, "RSRKR", 1, marks=pytest.mark.long),
-    pytest.param(1.7, 0.45, 4.289, "RSHHKR", 2, marks=pytest.mark.long),
-    pytest.param(2.3, 0.62, 2.98, "RSHKR", 1, marks=pytest.mark.long),
+    (0.7, 0.81, 3.66, "RSRKR", 1),
+    (1.7, 0.45, 4.289, "RSHHKR", 2),
+    (2.3, 0.62, 2.98, "RSHKR", 1),
     (3.6, 0.22, 3.10, "RSHR", 1),
-    pytest.param(4.4, 0.33, 4.61, "RSHR", 2, marks=pytest.mark.long),
+    (4.4, 0.33, 4.61, "RSHR", 2),
 ]
 
 

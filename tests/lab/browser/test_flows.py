@@ -420,6 +420,9 @@ FLOWS = {
     "a sentence stays until its field changes",
     "single keys can be switched off, and Escape leaves",
     "everything is remembered, and there is a way back",
+    "keys turn, lift, push and tilt the hoop",
+    "a class sees the player alone, repeats it and slows it down",
+    "the plane of angle and rate is finer where it is zoomed, and whole again",
 )
 def test_a_visitor(visit, flow):
     take(visit, flow, globals())

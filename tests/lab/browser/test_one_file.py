@@ -83,6 +83,7 @@ def test_it_moves_within_two_seconds(window, file):
     assert min(seconds) < 2.0, seconds
 
 
+@pytest.mark.long
 def test_a_load_is_dragged_a_map_is_there_and_a_link_is_copied_and_opened_again(window, file):
     opened(window, file + AT_REST)
     x, y, reach = asked(

@@ -3,6 +3,8 @@
 import json
 import re
 
+import pytest
+
 from checkout import text_of
 from lab_page_tools import wait_for
 
@@ -86,6 +88,7 @@ def outside(text):
     return text
 
 
+@pytest.mark.long
 def test_everything_that_is_said_is_in_the_tables(visit):
     """With each text between marks, whatever is not between them is English in the sources."""
     from hophoop.lab.tables import tables

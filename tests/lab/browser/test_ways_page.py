@@ -246,6 +246,9 @@ FLOWS = {
     "a browser that is late to follow an undo keeps every step",
     "a link that is copied in the simple view opens it",
     "a link with other bits says so, also after a reload",
+    "reset goes back to what was opened or chosen",
+    "a link keeps the arrows",
+    "a wrong part of a link leaves the rest and the address",
 )
 def test_a_way(visit, flow):
     take(visit, flow, globals())
