@@ -128,6 +128,7 @@ def test_what_is_not_installed_or_known_is_said(monkeypatch, capsys):
     assert "--dt must be above 0" in said
 
 
+@pytest.mark.long
 def test_the_example_of_the_page_is_scored(tmp_path, capsys):
     """Its program runs without hophoop, in its own process; the page shows what its scores are."""
     alone = tmp_path / "alone"

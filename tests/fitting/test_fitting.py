@@ -288,6 +288,7 @@ def test_a_restitution_that_may_be_0_has_a_limit():
     assert 1.1 < fit.error("mu_kinetic") / known.error("mu_kinetic") < 3.0
 
 
+@pytest.mark.long
 def test_near_an_end_an_uncertainty_is_at_least_what_the_sum_of_squares_there_says():
     """In this draw 0 is excluded by between two and three standard deviations; the slopes made it nine before."""
     track = plastic(39)
@@ -314,6 +315,7 @@ def test_a_limit_is_where_the_sum_of_squares_has_risen(track, limited, held, par
     assert within - least < 2.8
 
 
+@pytest.mark.long
 def test_what_the_model_lacks_is_told(hop):
     """A brake: the shutter, which was not given, is no cause of it."""
     track = filmed(hop, rate=60.0)

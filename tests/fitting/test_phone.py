@@ -46,6 +46,7 @@ def test_a_phone_does_not_tell_how_high_a_hoop_flies():
         hh.fit(track_of(np.arange(30) / 100, {"omega": np.full(30, 5.0)}, radius=RADIUS), start="flying")
 
 
+@pytest.mark.long
 def test_the_error_may_be_given():
     t = np.arange(40) / 100.0
     track = track_of(t, {"omega": hopping().at(t).omega}, radius=RADIUS)
@@ -60,6 +61,7 @@ def sample():
     return hh.fit(read_track(ROOT / "examples" / "phone" / "gyroscope.csv", Reading(radius=RADIUS)))
 
 
+@pytest.mark.long
 def test_the_sample_record_gives_what_the_page_says(sample):
     is_told(sample, "docs/teach/phone.md", ("gamma", "mu_kinetic", "restitution"))
 

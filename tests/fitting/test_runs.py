@@ -45,6 +45,7 @@ def test_several_runs_share_the_hoop_and_each_has_its_own_start(together):
     assert np.isnan(together.agreement("rolling_resistance"))
 
 
+@pytest.mark.long
 def test_a_run_of_another_hoop_is_named_and_options_are_of_one_run_or_of_all():
     two = runs(None, hh.Hoop.ideal(0.61, radius=0.3))
     found = hh.fit(two, fixed={"slope": 0.0, "x0_2": 0.0, "restitution": 0.3}, bounds={"speed_1": (1.0, 2.5)})

@@ -33,9 +33,8 @@ def test_marks_of_a_slow_film_scatter_by_as_much_as_they_do(marked, tmp_path):
     assert np.median(angle.errors) == pytest.approx(np.sqrt(2.0) * marked.settings["derived"][0]["places"] / 0.27, rel=0.02)
 
 
-@pytest.mark.parametrize(
-    ("kind", "mistake", "sign"), [("table30", "radius", -1), pytest.param("phone100", "radius", 1, marks=pytest.mark.long)]
-)
+@pytest.mark.long
+@pytest.mark.parametrize(("kind", "mistake", "sign"), [("table30", "radius", -1), ("phone100", "radius", 1)])
 def test_a_wrong_radius_is_not_taken_for_scatter(kind, mistake, sign):
     found = hh.fit(spoiled(drawn(kind, 3), mistake, sign))
     assert not found.usable

@@ -38,6 +38,7 @@ def found(hop):
     return hh.fit(filmed(hop, 5e-4))
 
 
+@pytest.mark.long
 def test_a_scale_that_is_off_does_not_spoil_the_parameters(hop, found):
     assert {"scale", "stretch", "origin_y", "tilt", "slope"} <= set(found.free)
     for name in CONTACT:

@@ -168,6 +168,7 @@ def test_landings_and_the_bottom_give_the_same_doubling():
     assert twice.speed == pytest.approx(doubled(one).speed, rel=1e-4)
 
 
+@pytest.mark.long
 def test_a_branch_goes_on_where_the_mode_after_the_landing_changes(gear):
     borders = of_kind(gear, "border collision")
     assert [border.event for border in borders] == [

@@ -22,6 +22,7 @@ def asked(page):
     return page.locator(".ending span").inner_text()
 
 
+@pytest.mark.long
 def test_examples_end_as_in_python(visit):
     page = visit()
     gait = page.get_by_role("button", name="Show the gait")

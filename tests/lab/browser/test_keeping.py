@@ -50,6 +50,7 @@ def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(vis
     page.wait_for_selector("text=SVG works in 2D only")
 
 
+@pytest.mark.long
 def test_pictures_are_what_the_screen_shows(visit, new_page, tmp_path):
     """Of more pixels than the screen has, and of lines."""
     page = visit(TWO)

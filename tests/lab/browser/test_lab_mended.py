@@ -127,6 +127,7 @@ FLOWS = {
     "a link holds what is seen",
     "a screen reader hears little and what matters",
     "on a phone held across",
+    "what is given up or takes too long ends at once",
 )
 def test_in_use(visit, flow):
     take(visit, flow, globals())

@@ -82,7 +82,10 @@ FLOWS = {
 
 
 @also_delayed
-@each_of(FLOWS)
+@each_of(
+    FLOWS,
+    "real parts and compliant contact, and the sentence of a part stays",
+)
 def test_a_page(visit, flow, request):
     picture(take(visit, flow, globals()), request.node.name)
 

@@ -268,7 +268,14 @@ FLOWS = {
 }  # fmt: skip
 
 
-@each_of(FLOWS)
+@each_of(
+    FLOWS,
+    "paper of the simple view",
+    "the table opens below the player of the simple view",
+    "the order of Tab in the simple view",
+    "the order of Tab on a phone in the simple view",
+    "numbers on a slope are covered by no words",
+)
 def test_it_is_in_its_place(visit, flow, request):
     picture(take(visit, flow, globals()), request.node.name)
 
