@@ -29,6 +29,10 @@ def hop():
 
 def save_track(path):
     """A table of a hoop with a load fraction of 0.6, places and angles with errors of 1 mm and 1 mrad."""
-    motion = hh.simulate(hh.Hoop.ideal(0.6, radius=0.3), hh.Plane(mu=0.8), hh.Start.rolling(1.5, angle=0.2), duration=0.4)
+    motion = hh.simulate(
+        hh.Scenario.from_query(
+            "duration=0.4&hoop.radius=0.3&hoop.load_fraction=0.6&plane.mu=0.8&start.angle=0.2&start.speed=1.5"
+        )
+    )
     filmed(motion, rate=120.0, sigma_angle=1e-3).save(path)
     return path

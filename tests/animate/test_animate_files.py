@@ -101,6 +101,7 @@ def test_half_a_film_is_not_left(tmp_path, name):
     assert old.read_bytes() == b"before"
 
 
+@pytest.mark.long
 def test_pictures_stream_to_the_encoder(tmp_path):
     """Many pictures need no more memory than few: 120 of 1 MB each, in a process that may grow by 60 MB."""
     code = """

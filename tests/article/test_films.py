@@ -38,6 +38,7 @@ def short(monkeypatch):
     return pair
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("killed", [False, True])
 def test_other_processes_make_the_films_and_this_one_what_a_killed_one_leaves(tmp_path, short, killed):
     told = []

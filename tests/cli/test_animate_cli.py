@@ -27,6 +27,7 @@ def test_3d_films_and_scenes(hop, tmp_path):
     assert (tmp_path / "a.html").stat().st_size > 10_000
 
 
+@pytest.mark.long
 def test_slow_motion_makes_a_longer_film(tmp_path):
     lengths = []
     for more in ("", "--slow-at takeoff --slow-at 0.3"):

@@ -82,6 +82,7 @@ def test_a_plan():
     assert worse["errors"]["gamma"] > better["errors"]["gamma"]
 
 
+@pytest.mark.long
 def test_a_terminal_shows_that_the_fit_goes_on(table, monkeypatch):
     monkeypatch.setattr(Console, "is_terminal", property(lambda console: True))
     for more in ("", "--quiet", "--json"):

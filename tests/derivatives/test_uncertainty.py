@@ -81,6 +81,7 @@ def test_sides_and_times_are_checked(hop):
         uncertainty.at(5.0)
 
 
+@pytest.mark.long
 def test_bands_lie_two_deviations_about_the_curve(hop):
     ax = Figure().subplots()
     plots.velocities(hop, ax=ax, uncertainty=hop.uncertainty({"start.speed": 0.1}))

@@ -273,6 +273,7 @@ def plastic(seed):
     return filmed(motion, seed, sigma=3e-4, sigma_angle=1e-3)
 
 
+@pytest.mark.long
 def test_a_restitution_that_may_be_0_has_a_limit():
     """Slopes of the minimum, which is anywhere on the flat, made it 0.029 ± 0.005 before."""
     fit = hh.fit(plastic(2))

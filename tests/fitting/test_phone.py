@@ -66,6 +66,7 @@ def test_the_sample_record_gives_what_the_page_says(sample):
     is_told(sample, "docs/teach/phone.md", ("gamma", "mu_kinetic", "restitution"))
 
 
+@pytest.mark.long
 def test_a_plan_predicts_what_a_record_determines(sample):
     plan = hh.plan(hopping().scenario, rate=200.0, sigma_omega=SIGMA)
     assert set(plan.errors) == set(sample.free)

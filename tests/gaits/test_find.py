@@ -93,6 +93,7 @@ def test_multipliers_on_both_sides_of_a_corner():
     assert [round(one.multipliers[0].real, 2) for one in (near, beyond)] == [-0.31, -1.35]
 
 
+@pytest.mark.long
 def test_a_pair_next_to_its_fold_is_found():
     """1e-7° before the fold both gaits are closer together than the values of θ̇ that the search compares."""
     found = hh.gaits.find(on_slope(1.167217696421 - 1e-7), near=3.4255)

@@ -92,6 +92,7 @@ print(lowering.part_of(pair.caller, (types.float64,)).result)
 """
 
 
+@pytest.mark.long
 def test_a_change_of_a_callee_compiles_its_callers_only_if_it_gives_another_type(tmp_path):
     kept = tmp_path / "kept"
 

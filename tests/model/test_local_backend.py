@@ -55,6 +55,7 @@ def of_python(body):
     return hh.simulate(within(asked(json.loads(json.dumps(body)))))
 
 
+@pytest.mark.long
 def test_films_are_those_of_python():
     bodies = [*BODIES, {"query": "plane.rolling_resistance=0.02&plane.mu=0.4"}]
     bodies += [{"query": preset.scenario.to_query()} for preset in presets.presets()]

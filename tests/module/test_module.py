@@ -79,6 +79,7 @@ def test_the_modules_come_to_the_folder_that_is_named(monkeypatch, tmp_path):
     assert {file.name for file in out.iterdir()} == {MODULE, FATES, LAYOUT}
 
 
+@pytest.mark.long
 @needs_node
 def test_a_motion_ends_by_its_budget_whatever_is_asked():
     long = given_of(hh.Scenario(duration=1e6))

@@ -144,6 +144,7 @@ def test_a_tangency_is_no_root_and_no_gap():
         assert first_root(Model(arb_poly([0.25 + 1e-9, -1, 1]), 1e-20), arb(0), arb(1)) is None
 
 
+@pytest.mark.long
 def test_online_series_solve_the_equation():
     """θ̈ = sin θ (2 − θ̇²)/(3 + cos θ): the coefficients are those of a motion computed in 60 digits."""
     mp.dps = 60

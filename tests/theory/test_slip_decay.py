@@ -6,6 +6,7 @@ import pytest
 
 import hophoop as hh
 
+HOOP = hh.Hoop.ideal(0.75)
 LEVEL = hh.Plane(gravity=1.0)
 CASES = [
     (hh.Hoop.ideal(0.75, radius=0.3, mass=2.0), hh.Plane()),
@@ -33,25 +34,24 @@ def test_a_revolution_loses_the_square_of_the_excess(hoop, plane):
 
 
 def test_below_the_first_slip_nothing_is_lost():
-    hoop = hh.Hoop.ideal(0.75)
-    decay, speed = hh.theory.slip_decay(hoop, LEVEL), hh.theory.first_slip_speed(hoop, LEVEL)
-    assert passages(hoop, LEVEL, decay.omega * (1 - 1e-12), 1).sequences == ("R",)
+    decay, speed = hh.theory.slip_decay(HOOP, LEVEL), hh.theory.first_slip_speed(HOOP, LEVEL)
+    assert passages(HOOP, LEVEL, decay.omega * (1 - 1e-12), 1).sequences == ("R",)
     assert decay.omega == pytest.approx(math.sqrt(((2 + 2 * 0.75) * speed**2 + 4 * 0.75) / (2 - 2 * 0.75)), rel=1e-13)
     # above it the excess falls as one over the revolutions
-    found = passages(hoop, LEVEL, decay.omega + 0.05, 2000)
+    found = passages(HOOP, LEVEL, decay.omega + 0.05, 2000)
     assert found.omega[-1] - decay.omega == pytest.approx(decay.excess(0.05, 2000), rel=1e-2)
 
 
 @pytest.mark.parametrize(
     ("hoop", "plane", "message"),
     [
-        (hh.Hoop.ideal(0.75), hh.Plane(slope=0.1), "plane.slope must be 0"),
-        (hh.Hoop.ideal(0.75), hh.Plane(gravity=0.0), "plane.gravity above 0"),
-        (hh.Hoop.ideal(0.75), hh.Plane(rolling_resistance=0.01), "plane.rolling_resistance must be 0"),
-        (hh.Hoop.ideal(0.75), hh.Plane(mu_static=0.6, mu_kinetic=0.5), "plane.mu one number"),
+        (HOOP, hh.Plane(slope=0.1), "plane.slope must be 0"),
+        (HOOP, hh.Plane(gravity=0.0), "plane.gravity above 0"),
+        (HOOP, hh.Plane(rolling_resistance=0.01), "plane.rolling_resistance must be 0"),
+        (HOOP, hh.Plane(mu_static=0.6, mu_kinetic=0.5), "plane.mu one number"),
         (hh.Hoop.ideal(0.0), hh.Plane(), "hoop.load_fraction above 0 and below 1"),
-        (hh.Hoop.ideal(0.75), hh.Plane(mu=0.0), "finite friction"),
-        (hh.Hoop.ideal(0.75), hh.Plane(mu=0.1), "begins to slip at no speed above 0"),
+        (HOOP, hh.Plane(mu=0.0), "finite friction"),
+        (HOOP, hh.Plane(mu=0.1), "begins to slip at no speed above 0"),
     ],
 )
 def test_refusals(hoop, plane, message):

@@ -44,7 +44,7 @@ FILMS = {
         1.5e-3,
     ),
 }  # fmt: skip
-MARKS = {"tilted": pytest.mark.long, "steep": pytest.mark.long, "light": pytest.mark.long, "phone": pytest.mark.slow}
+MARKS = {"phone": pytest.mark.slow} | dict.fromkeys(("tilted", "light", "steep", "lost", "blurred"), pytest.mark.long)
 
 
 @pytest.fixture(scope="session")

@@ -41,6 +41,7 @@ def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     follow(page, [*SEEN, "is text('.map-head .hint') === '124416 motions with rigid contact'"])
 
 
+@pytest.mark.long
 def test_buttons_zoom_about_the_mark_and_not_beyond_what_is_allowed(visit):
     follow(visit("?start.speed=3.1&plane.mu=0.4"), [
         f"until {SHOWN}",
