@@ -81,7 +81,7 @@ def fit(
         A known hoop, for example from its parts, so that only the contact is fitted; or an ideal hoop, described by gamma; or
         a general one, described by eccentricity and inertia_ratio.
     start : {'auto', 'rolling', 'sliding', 'flying'}, default 'auto'
-        Motion of the hoop in the first frame.
+        Motion of the hoop in the first frame. Flying needs places: angular velocities alone do not tell the height.
     fixed : dict, optional
         Known parameters and their values [SI units].
     free : sequence of str, optional
