@@ -123,6 +123,8 @@ def window(width, height):
     return [
         f"size {width} {height}",
         f"until document.documentElement.clientHeight === {height} && {SETTLED}",
+        # the picture is drawn for its new size in the next frame
+        "do await new Promise(requestAnimationFrame); await new Promise(requestAnimationFrame)",
         f"is document.documentElement.scrollWidth === {width}",
         f"do {CROSSING}",
         "is crossing.length === 0",
