@@ -3,8 +3,6 @@
 benchmarks/bits.py tries other surroundings, such as an older processor; tests/module has the module and other processors.
 """
 
-import pytest
-
 import bits_tools
 import hophoop as hh
 from bits_tools import differing, kept_hashes, kept_scenarios, of_kinds
@@ -19,7 +17,6 @@ def computed(kept, mode):
         return {each.index: bits_tools.bits_of(hh.simulate(each.scenario)) for each in kept}
 
 
-@pytest.mark.compiled
 def test_all_bits_are_the_kept_ones():
     found = computed(kept_scenarios(), "compiled")
     assert differing(found) == [], SAY

@@ -11,9 +11,6 @@ import hophoop as hh
 from cli_tools import done, save_track
 from hophoop.cli.lab import rounded
 
-pytestmark = pytest.mark.compiled
-
-
 FIT = "fit --radius 0.3"
 KNOWN = f"{FIT} --fix restitution=0.2 --fix mu_excess=0"
 

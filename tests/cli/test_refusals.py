@@ -238,7 +238,6 @@ def check(folder, monkeypatch, line, sentence):
 LINES = [(f"{command} {words}".strip(), said) for command, table in REFUSED.items() for words, said in table.items()]
 
 
-@pytest.mark.compiled
 @pytest.mark.parametrize(("line", "sentence"), LINES, ids=lambda text: ascii(text)[:60])
 def test_bad_input_is_one_sentence(folder, monkeypatch, line, sentence):
     check(folder, monkeypatch, line, sentence)

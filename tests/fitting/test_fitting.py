@@ -25,7 +25,6 @@ from hophoop.tracking.scatter import third_differences
 from hophoop.tracking.table import track_of
 
 # a fit asks for hundreds of motions
-pytestmark = pytest.mark.compiled
 
 
 def test_the_truth_is_found_within_its_uncertainties(found):

@@ -10,8 +10,6 @@ from hophoop.fitting.guess import guess
 from hophoop.tracking import Reading, read_track
 from hophoop.tracking.table import track_of
 
-pytestmark = pytest.mark.compiled
-
 SIGMA = 0.02
 RECORDED = {name: value for name, value in TRUTH.items() if name != "x0"}
 

@@ -8,7 +8,7 @@ import pytest
 import hophoop as hh
 from fitting_tools import TRUTH, filmed, pulls
 
-pytestmark = [pytest.mark.compiled, pytest.mark.slow, pytest.mark.timeout(1200)]  # 400 fits take some minutes
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(1200)]  # 400 fits take some minutes
 
 
 @pytest.mark.parametrize(

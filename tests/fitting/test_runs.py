@@ -9,8 +9,6 @@ import hophoop as hh
 from fitting_tools import TRUTH, filmed, hopping, read_again
 from hophoop.fitting import report
 
-pytestmark = pytest.mark.compiled
-
 SHARED = ("gamma", "mu_kinetic", "mu_excess", "restitution")
 SPEEDS = (1.9, 1.0, 2.1)  # the second never slips
 

@@ -10,8 +10,6 @@ import hophoop as hh
 from fitting_tools import read_again
 from hophoop.fitting.channels import GYROSCOPE, with_errors, with_scatter
 
-pytestmark = pytest.mark.compiled
-
 
 @pytest.fixture(scope="module")
 def marked():

@@ -15,8 +15,6 @@ from hophoop.tracking import Camera, View
 from hophoop.tracking.ground import ground_line, line_through
 from hophoop.tracking.table import track_from_dict
 
-pytestmark = pytest.mark.compiled
-
 RATE, PIXELS = 120.0, 330.0
 SIGMA, SIGMA_ANGLE = 6e-5, 1e-3
 CONTACT = ("gamma", "mu_kinetic", "mu_excess", "restitution")

@@ -17,7 +17,6 @@ from hophoop.fitting.solving import parameters, slopes
 from hophoop.scenario import InputError
 
 # a fit asks for hundreds of motions
-pytestmark = pytest.mark.compiled
 
 
 SLIDING, FLYING = hh.Start(vx=2.0, omega=3.0, angle=0.4), hh.Start(vx=1.0, height=0.05, vy=0.1, omega=4.0, angle=0.4)

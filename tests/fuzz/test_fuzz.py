@@ -86,21 +86,18 @@ def compiled():
 AT_LENGTH = pytest.param(range(30, MANY), marks=[pytest.mark.slow, pytest.mark.random])
 
 
-@pytest.mark.compiled
 @pytest.mark.parametrize("seeds", [range(30), AT_LENGTH], ids=len)
 def test_any_magnitude(seeds):
     found = {seed: problems(scenario(Random(seed), ONE_IN, TURNS)) for seed in seeds}
     assert {seed: wrong for seed, wrong in found.items() if wrong} == {}
 
 
-@pytest.mark.compiled
 def test_any_extreme():
     """Every number of any magnitude, at an end of its range or next to one."""
     found = {seed: problems(scenario(Extreme(seed), ONE_IN, TURNS)) for seed in range(160)}
     assert {seed: wrong for seed, wrong in found.items() if wrong} == {}
 
 
-@pytest.mark.compiled
 def test_saved_motions_of_any_magnitude(tmp_path):
     pytest.importorskip("netCDF4", reason="netCDF4 is not installed")
     found = {seed: problems(scenario(Random(seed), ONE_IN, TURNS), tmp_path / f"{seed}.nc") for seed in range(6)}
@@ -109,7 +106,6 @@ def test_saved_motions_of_any_magnitude(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.random
-@pytest.mark.compiled
 def test_what_once_failed(compiled):
     """The ledger was off, the mirror image had other events, or the motion took from 6 to 29 s of the processor.
 
@@ -128,7 +124,6 @@ def answer(seed):
         return str(error)
 
 
-@pytest.mark.compiled
 @pytest.mark.parametrize("way", ["threads", "fork", pytest.param("spawn", marks=pytest.mark.long)])
 def test_threads_and_processes_give_the_same_bits(way, compiled):
     if way != "threads" and (way not in multiprocessing.get_all_start_methods() or (way, sys.platform) == ("fork", "darwin")):

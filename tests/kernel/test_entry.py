@@ -62,7 +62,6 @@ def test_a_mode_that_is_forced_ends():
     assert (mode(), os.environ.get("HOPHOOP_KERNELS")) == (before, asked)
 
 
-@pytest.mark.compiled
 def test_a_motion_and_its_samples_are_few_calls(monkeypatch):
     found, call = [], Library.call
     monkeypatch.setattr(Library, "call", lambda self, name: found.append(name.rpartition(".")[2]) or call(self, name))

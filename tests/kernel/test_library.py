@@ -193,7 +193,6 @@ print(digest.hexdigest(), *sorted(names))
 """
 
 
-@pytest.mark.compiled
 def test_all_that_python_calls_has_the_bits_of_the_interpreter():
     """Each entry is called, and each is compiled."""
     from hophoop.kernel.entries import ENTRIES
@@ -220,7 +219,6 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
 """
 
 
-@pytest.mark.compiled
 @pytest.mark.skipif(sys.platform != "linux", reason="Linux says how much memory a process had at most, in kB")
 def test_motions_leave_no_memory_behind():
     """Arrays that a kernel creates and never frees would take 14 kB a motion."""
@@ -308,7 +306,6 @@ print(hh.simulate(hh.Scenario(duration=1.0)).fingerprint, library().level)
 """
 
 
-@pytest.mark.compiled
 def test_the_library_of_each_level_gives_the_same_motion():
     found = native.library(quiet=True)
     assert found is not None

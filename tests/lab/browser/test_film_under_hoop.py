@@ -16,8 +16,6 @@ from lab_page_tools import serving
 FILM = Film(size=(480, 272), frames=60, scale=200.0, origin=(90.0, 240.0), rate=120.0, roll_deg=3.0, marker_size=0.05)
 RADIUS = 0.3
 
-pytestmark = pytest.mark.compiled
-
 
 # The pixel of the film on which the centre of the drawn hoop lies, by the browser's own transform.
 WHERE = """(() => {
