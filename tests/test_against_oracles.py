@@ -17,7 +17,7 @@ def test_nothing_is_off_in_two_motions():
     assert [*against_oracles.problems(8), *against_oracles.problems(15)] == []
 
 
-@pytest.mark.parametrize("seed", [8, 15])  # without and with a resistance to rolling
+@pytest.mark.parametrize("seed", [pytest.param(8, marks=pytest.mark.long), 15])  # without and with a resistance to rolling
 def test_a_wrong_program_is_found(seed, monkeypatch, capsys):
     monkeypatch.setattr(hh, "simulate", heavier)
     found = " ".join(against_oracles.problems(seed))

@@ -204,7 +204,7 @@ def run_limited(limit, *words):
         pytest.param("--save", "hop.nc", 20000, marks=pytest.mark.long),
         pytest.param("--save", "hop.zarr.zip", 30000, marks=pytest.mark.long),
         ("--out", "hop.json", 1000),
-        ("--plot", "hop.png", 5000),
+        pytest.param("--plot", "hop.png", 5000, marks=pytest.mark.long),
     ],
 )
 def test_a_full_disk_leaves_the_old_file(motion, tmp_path, option, name, limit):

@@ -112,7 +112,16 @@ def test_axes_of_the_data_that_do_not_lie_along_the_plane(hop):
     ("load", "static", "kinetic", "restitution", "speed", "angle", "duration"),
     [
         (0.7, 0.4, 0.3, 0.5, 2.3, 0.5, 1.5),
-        (0.795931295452128, 0.6196176352915649, 0.5266653176996758, 0.507350747986, 2.530978175830234, 5.21425720033928, 1.86),
+        pytest.param(
+            0.795931295452128,
+            0.6196176352915649,
+            0.5266653176996758,
+            0.507350747986,
+            2.530978175830234,
+            5.21425720033928,
+            1.86,
+            marks=pytest.mark.long,
+        ),
     ],
 )
 def test_a_hoop_that_hops_at_once_and_bounces_is_found(load, static, kinetic, restitution, speed, angle, duration):

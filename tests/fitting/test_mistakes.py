@@ -80,9 +80,9 @@ def turning_alone(track):
 # Motion, mistake, question.
 MISTAKES = [
     ("right", {"centre": 100.0}, "are lengths in cm"),
-    ("right", {"angle": np.degrees(1.0)}, "is it in degrees"),
 ]
 MORE = [
+    ("right", {"angle": np.degrees(1.0)}, "is it in degrees"),
     ("right", held, "give --from 0.3"),
     ("right", sideways, "is the film sideways"),
     ("right", {"radius": 100.0}, "with a radius of 0.3 m: is the radius in m"),

@@ -17,7 +17,7 @@ RECORDED = {name: value for name, value in TRUTH.items() if name != "x0"}
 @pytest.mark.parametrize(
     ("rate", "digits", "noise", "offset"),
     # in the draw small basins are on both sides of a step, where an impact passes a value; without noise rounding is the error
-    [(200, 12, SIGMA, 0.02), (120, 2, 0.0, 0.0)],
+    [pytest.param(200, 12, SIGMA, 0.02, marks=pytest.mark.long), (120, 2, 0.0, 0.0)],
 )
 def test_a_record_of_the_angular_velocity_gives_hoop_contact_and_start(rate, digits, noise, offset):
     t = np.arange(rate) / rate

@@ -63,6 +63,7 @@ def test_a_scale_that_changes_along_the_film_makes_no_slope(hop):
     assert not without.good or abs(without.values["slope"]) > 3 * without.error("slope")
 
 
+@pytest.mark.long
 def test_a_plan_counts_with_the_scale(hop, found):
     known, off = (hh.plan(hop.scenario, RATE, SIGMA, SIGMA_ANGLE, sigma_scale=size) for size in (0.0, 1e-3))
     assert off.errors["mu_excess"] > 2 * known.errors["mu_excess"]

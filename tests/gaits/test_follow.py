@@ -108,6 +108,7 @@ def test_border_collisions_are_named(branch):
     assert corner.multipliers == (pytest.approx(-0.31478, abs=1e-5), pytest.approx(-1.35050, abs=1e-5))
 
 
+@pytest.mark.long
 def test_a_wide_range_does_not_make_the_branch_jump_at_a_fold():
     """Long steps near a fold met the part of the branch beyond it, and the branch was followed twice."""
     found = first(1.0, 3.4552).follow("plane.slope", (0.0, 0.17))
@@ -183,6 +184,7 @@ def test_a_branch_goes_on_where_the_mode_after_the_landing_changes(gear):
     assert fold.gait.multipliers[0] == pytest.approx(1.0, abs=1e-6)
 
 
+@pytest.mark.long
 def test_gaits_that_never_roll_are_followed():
     """On 5° with μ = 0.2 the gears slip all the way: three coordinates at the landing."""
     gait = landing(5.0, 0.15, mu=0.2)
@@ -241,6 +243,7 @@ def test_a_branch_ends_where_the_hoop_leaves_the_plane_at_the_bottom():
     assert (end.kind, end.event, end.parameter) == ("end", "hop vanishes", pytest.approx(0.34150477526, abs=1e-10))
 
 
+@pytest.mark.long
 def test_a_gear_whose_slip_starts_at_once_is_that_of_single_motions(gear):
     """Beyond 8.709°, where the first phase after the landing vanishes."""
     for sequence in ("SH", "H"):
@@ -326,6 +329,7 @@ def test_corners_of_bounces_are_passed():
     assert jump.multipliers == (pytest.approx(-0.78398, abs=1e-5), pytest.approx(-0.82800, abs=1e-5))
 
 
+@pytest.mark.long
 def test_a_border_between_two_pieces_of_a_landing():
     """Where the slip after the landing ends no coordinate can change alone; the friction of the impact gives 0.23352067134."""
     gait = hh.gaits.find(on_slope(5.0, 0.15, mu=0.2), section="landing", near=12.08)[0]

@@ -193,6 +193,7 @@ print(digest.hexdigest(), *sorted(names))
 """
 
 
+@pytest.mark.long
 def test_all_that_python_calls_has_the_bits_of_the_interpreter():
     """Each entry is called, and each is compiled."""
     from hophoop.kernel.entries import ENTRIES

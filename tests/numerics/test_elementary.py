@@ -100,7 +100,7 @@ def drawn(function, count):
 
 
 @functions
-@pytest.mark.parametrize("count", [60, pytest.param(1000, marks=pytest.mark.long)])
+@pytest.mark.parametrize("count", [25, pytest.param(1000, marks=pytest.mark.long)])
 def test_a_function_is_that_of_mpmath(function, count):
     check(function, *drawn(function, count))
 

@@ -27,8 +27,9 @@ EVENTS = 40
 
 REFERENCES = sorted(path.stem for path in DATA.glob("*.json") if '"case"' in path.read_text(encoding="utf-8"))
 LONG = (
-    "accumulation_newton", "accumulation_poisson", "article_v2.8_mu1", "bounces_newton", "bounces_stronge",
-    "bounces_poisson", "dropped_with_spin", "frictionless_fast", "narrow_escape_slope",
+    "reversal_in_impact", "skidding_start", "static_above_kinetic", "accumulation_newton", "accumulation_poisson",
+    "article_v2.8_mu1", "bounces_newton", "bounces_stronge", "bounces_poisson", "dropped_with_spin", "frictionless_fast",
+    "narrow_escape_slope",
 )  # fmt: skip
 
 

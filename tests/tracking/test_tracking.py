@@ -423,6 +423,7 @@ def test_what_a_track_assumes_of_camera_and_scale(plain):
     assert "radius of only 39 pixels in the picture, so the scale is uncertain by 1 %" in found.notes[-1]
 
 
+@pytest.mark.long
 def test_a_window_of_a_film(plain):
     whole, part = hh.track(plain, RADIUS), hh.track(plain, RADIUS, Hints(since=0.1, until=0.3))
     assert part.t == pytest.approx(whole.t[6:19])

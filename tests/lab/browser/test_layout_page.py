@@ -273,6 +273,11 @@ FLOWS = {
 @each_of(
     FLOWS,
     "paper of the simple view",
+    "larger letters of the browser are taken over also in pictures",
+    "a presentation shows the player alone in proportion",
+    "letters are usual, and pictures are drawn for the width of a sheet",
+    "the order of Tab follows the window and the view",
+    "the order of Tab on a phone",
     "the table opens below the player of the simple view",
     "the order of Tab in the simple view",
     "the order of Tab on a phone in the simple view",
@@ -288,7 +293,7 @@ def shot(page, selector):
     return np.asarray(image.open(io.BytesIO(page.locator(selector).first.screenshot())).convert("L"), float)
 
 
-@pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
+@pytest.mark.parametrize("size", [pytest.param((1280, 800), marks=pytest.mark.long), (390, 844)])
 def test_the_list_of_events_cuts_no_letters(visit, size):
     page = visit("#t=0", simple=size[0] < 1000, viewport={"width": size[0], "height": size[1]})
     wait_for(page, SHOWN)

@@ -37,7 +37,7 @@ def speaking(language):
     return [f"choose .language {language}", f"until document.documentElement.lang === '{language}' && {SHOWN}"]
 
 
-@pytest.mark.parametrize("simple", [True, False])
+@pytest.mark.parametrize("simple", [True, pytest.param(False, marks=pytest.mark.long)])
 def test_the_head_takes_two_rows(visit, simple):
     page = visit(simple=simple, reduced_motion="reduce", viewport={"width": 390, "height": 844}, **FINGERS)
     for width in (390, 360):
@@ -48,7 +48,7 @@ def test_the_head_takes_two_rows(visit, simple):
     picture(page, f"phone-head-{'simple' if simple else 'all'}")
 
 
-@pytest.mark.parametrize("sizes", [[(390, 844), (320, 568)], [(1440, 900)]])
+@pytest.mark.parametrize("sizes", [[(390, 844), (320, 568)], pytest.param([(1440, 900)], marks=pytest.mark.long)])
 def test_the_hint_of_the_load_covers_no_numbers(visit, sizes):
     options = FINGERS if len(sizes) > 1 else {}
     page = visit(simple=True, viewport=dict(zip(("width", "height"), sizes[0], strict=True)), **options)

@@ -115,6 +115,6 @@ FLOWS = {
 }  # fmt: skip
 
 
-@each_of(FLOWS)
+@each_of(FLOWS, "words point to their place in picture, bar and diagrams", "about has version, licence and documentation")
 def test_a_first_look(visit, flow):
     take(visit, flow, globals())

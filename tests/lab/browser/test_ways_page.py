@@ -242,6 +242,9 @@ FLOWS = {
 @also_delayed
 @each_of(
     FLOWS,
+    "a motion that cannot be had is said, and no step is lost",
+    "a link that is copied in the whole view opens it",
+    "what is said of a preset goes when it is changed and comes back with undo",
     "a fingerprint is copied, alone and in a link",
     "a browser that is late to follow an undo keeps every step",
     "a link that is copied in the simple view opens it",

@@ -76,6 +76,7 @@ FLOWS = {
 
 @each_of(
     FLOWS,
+    "a diagram that is not drawn yet zooms and keeps its place",
     "two fingers zoom and take no motion",
     "a finger moves the map when it starts across, and leaves it when it starts upwards",
 )
