@@ -196,7 +196,7 @@ FOLLOW = {
     "--follow plane.slope=nan:0.2": "must be finite",
     "--follow plane.slope=0.2:0.001": "on both sides of plane.slope",
     "--follow plane.slope=-0.1:0.2": "slopes of one sign",
-    "--follow plane.tilt=0.001:0.2": "plane.tilt is not a known key; did you mean slope?",
+    "--follow plane.tilt=0.001:0.2": "plane.tilt is not a known key; did you mean plane.slope?",
     "--follow plane.gravity=0.5:2": "a parameter other than hoop.radius, hoop.mass and plane.gravity",
     "--digits 3": "--digits = 3 must be an integer from 16 to 40",
 }

@@ -188,9 +188,9 @@ def test_texts_are_made_safe_and_read_as_numbers_as_python_does():
     ("query", "said"),
     [
         ("plane.gamma=1", "known are gravity, slope, mu"),
-        ("hoop.radious=1", "did you mean radius?"),
+        ("hoop.radious=1", "did you mean hoop.radius?"),
         ("hoops.radius=1", "did you mean hoop?"),
-        ("start.sped=1", "did you mean speed?"),
+        ("start.sped=1", "did you mean start.speed?"),
     ],
 )
 def test_a_key_that_may_have_been_meant_is_named(query, said):

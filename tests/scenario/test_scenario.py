@@ -137,11 +137,11 @@ REFUSED = {
     '{"plane": {"gravity": 1%s}}' % (400 * "0"): "must be a finite number.",
     "plane.mu=1e300": "plane.mu = 1e+300 must be from 0 to 1e+06, or inf.",
     "plane.impact_law=hertz": "must be 'stronge', 'newton' or 'poisson'.",
-    "plane.frictoin=1": "plane.frictoin is not a known key; did you mean mu?",
+    "plane.frictoin=1": "plane.frictoin is not a known key; did you mean plane.mu?",
     "plane.colour=1": "plane.colour is not a known key; known are gravity, slope, mu,",
     # a label of the lab is no other name of a key
     "start.speed upwards=1": "start.speed upwards is not a known key; known are x, height, angle, ",
-    "plane.graviti=1": "plane.graviti is not a known key; did you mean gravity?",
+    "plane.graviti=1": "plane.graviti is not a known key; did you mean plane.gravity?",
     "plane.gravity=-1&plane.restitution=2": "= -1 must be 0 or from 1e-06 to 1e+06 m/s² (and 1 more problem).",
     "hoop.radius=0": "hoop.radius = 0 must be from 1e-06 to 1e+06 m.",
     "hoop.radius=1e-12": "hoop.radius = 1e-12 must be from 1e-06 to 1e+06 m.",
@@ -252,20 +252,20 @@ def test_refusals_of_models_are_the_same(build, expected):
 
 NEAR = {
     hh.Plane: {
-        "friction": "mu", "Friction": "mu", "static friction": "mu_static", "μ": "mu", "g": "gravity",
-        "e": "restitution", "angle": "slope", "slope_deg": "slope", "slop": "slope", "beta": "slope",
-        "law": "impact_law",
+        "friction": "plane.mu", "Friction": "plane.mu", "static friction": "plane.mu_static", "μ": "plane.mu",
+        "g": "plane.gravity", "e": "plane.restitution", "angle": "plane.slope", "slope_deg": "plane.slope",
+        "slop": "plane.slope", "beta": "plane.slope", "law": "plane.impact_law",
     },
     hh.Hoop: {
-        "gamma": "load_fraction", "γ": "load_fraction", "r": "radius", "R": "radius", "m": "mass",
-        "kappa": "inertia_ratio", "friction": "plane.mu",
+        "gamma": "hoop.load_fraction", "γ": "hoop.load_fraction", "r": "hoop.radius", "R": "hoop.radius", "m": "hoop.mass",
+        "kappa": "hoop.inertia_ratio", "friction": "plane.mu",
     },
     hh.Start: {
-        "v0": "speed", "velocity": "speed", "theta": "angle", "angle-deg": "angle", "mu": "plane.mu",
+        "v0": "start.speed", "velocity": "start.speed", "theta": "start.angle", "angle-deg": "start.angle", "mu": "plane.mu",
         "duration": "duration",
     },
     hh.Compliant: {
-        "k": "stiffness", "slip speed": "slip_speed",
+        "k": "contact.stiffness", "slip speed": "contact.slip_speed",
     },
     hh.Scenario: {
         "mu": "plane.mu", "friction": "plane.mu", "time": "duration", "gamma": "hoop.load_fraction",
@@ -282,7 +282,13 @@ def test_a_name_that_people_use_is_understood(kind, word, meant):
 
 @pytest.mark.parametrize(
     ("path", "meant"),
-    {"plane.friction": "mu", "mu": "plane.mu", "start.v0": "speed", "time": "duration", "contact.k": "stiffness"}.items(),
+    {
+        "plane.friction": "plane.mu",
+        "mu": "plane.mu",
+        "start.v0": "start.speed",
+        "time": "duration",
+        "contact.k": "contact.stiffness",
+    }.items(),
 )
 def test_a_path_that_people_use_is_understood(path, meant):
     expected = f"{path} is not a known key; did you mean {meant}?"
@@ -304,7 +310,7 @@ def test_an_assignment_is_refused_with_what_to_do():
             "mu",
             "since a Plane never changes; model_copy(update={'mu': 3}) returns another one.",
         ),
-        (scenario.plane, "friction", "plane.friction is not a known key; did you mean mu?"),
+        (scenario.plane, "friction", "plane.friction is not a known key; did you mean plane.mu?"),
         (scenario.hoop, "massless", "hoop.massless = 3 cannot be assigned"),
     ):
         assert expected in said(lambda part=part, name=name: setattr(part, name, 3))

@@ -192,7 +192,7 @@ def test_refusals_of_paths(tmp_path):
 @pytest.mark.parametrize(
     ("values", "expected"),
     [
-        ({"plane.mux": 1.0}, "plane.mux is not a known key; did you mean mu?"),
+        ({"plane.mux": 1.0}, "plane.mux is not a known key; did you mean plane.mu?"),
         ({"wall.mu": 1.0}, "wall is not a known key; known are"),
         ({"duration.long": 1.0}, "duration.long is not a parameter of a scenario"),
         ({"hoop.parts.0.mass": 1.0}, "hoop.parts.0.mass is not there to be replaced"),

@@ -46,8 +46,10 @@ export function unknownKey(place: string, data: object, known: string[]) {
   const key = Object.keys(data).find((one) => !known.includes(one));
   if (key === undefined) return null;
   const [close] = [...known].sort((a, b) => distance(key, a) - distance(key, b));
-  const near = distance(key, close) <= MOST_WRONG;
-  const hint = near ? say("did_you_mean", { close }) : say("known_are", { known: known.join(", ") });
+  const hint =
+    distance(key, close) <= MOST_WRONG
+      ? say("did_you_mean", { close: place + close })
+      : say("known_are", { known: known.join(", ") });
   return say("unknown_key", { path: `${place}${shortened(key)}`, hint });
 }
 

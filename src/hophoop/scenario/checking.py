@@ -338,7 +338,7 @@ def refuse(message: str, field: str | None = None) -> PydanticCustomError:
 
 
 def near_name(word: str, known: Sequence[str], place: str) -> str:
-    """Return the key, or the path in another section, that an unknown key probably means; empty if there is none."""
+    """Return the path of the key that an unknown key probably means, here or in another section; empty if there is none."""
     import difflib  # here, since a known key needs none
 
     word = word.strip().lower().replace(" ", "_").replace("-", "_")
@@ -352,7 +352,7 @@ def near_name(word: str, known: Sequence[str], place: str) -> str:
         elif section_of(row) != own and word in (key, *row.names):
             elsewhere = elsewhere or row.path
     close = difflib.get_close_matches(word, here, n=1, cutoff=0.75)
-    return here[close[0]] if close else elsewhere
+    return f"{place}{here[close[0]]}" if close else elsewhere
 
 
 def unknown_key(key: str, known: Sequence[str], place: str) -> str:

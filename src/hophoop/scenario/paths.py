@@ -94,7 +94,7 @@ def parameter(path: str) -> ParameterInfo:
     fields = {name: field for model in reversed(models) for name, field in model.model_fields.items()}
     if key in fields:
         return ParameterInfo(path, fields[key].description or "", unit_of(fields[key]))
-    close = near_name(key, list(fields) or ["duration", *_SECTIONS], section) if path.count(".") < 2 else ""
+    close = near_name(key, list(fields) or ["duration", *_SECTIONS], section and f"{section}.") if path.count(".") < 2 else ""
     if close and close not in _SECTIONS:
         raise InputError(say("unknown_key", path=path, hint=say("did_you_mean", close=close)), field=path)
     raise InputError(say("no_parameter", path=path, known=", ".join(paths())), field=path)
