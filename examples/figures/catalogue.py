@@ -123,7 +123,7 @@ def draw_classes(ax, mu: np.ndarray, speed: np.ndarray) -> None:
     """Each class in its colour, and black where a neighbour has another sequence or ending."""
     found = maps.sweep(None, {"start.speed": speed, "plane.mu": mu}, ["sequence", "ending"])
     sequence, ending = found["sequence"].values.astype(int), found["ending"].values.astype(int)
-    paint = np.array([to_rgb(class_color(word)) for word in maps.words_of(found["sequence"])])
+    paint = np.array([to_rgb(class_color(word)) for word in maps.words_of(found["sequence"])[:-1]])
     shown = paint[sequence]
     for code in (sequence, ending):
         shown[:-1][code[:-1] != code[1:]] = 0.0

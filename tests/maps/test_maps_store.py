@@ -99,12 +99,12 @@ def test_every_variable_and_coordinate_says_what_it_is(whole):
     assert (dataset["start.speed"].attrs["units"], dataset["hop_height"].attrs["units"]) == ("m/s", "m")
     assert json.loads(dataset.attrs["scenario"]) == hh.Scenario().to_dict()
     assert dataset.attrs["source"] == f"hophoop {hh.__version__}"
-    table = maps.words_of(dataset["sequence"])
+    table = maps.words_of(dataset["sequence"])[:-1]
     assert table == sorted(table, key=lambda text: (len(text), text))
     assert set(np.unique(dataset["sequence"])) == set(range(len(table)))
 
 
-@pytest.mark.parametrize(("room", "kind"), [(0, np.int16), (-1, np.int32)])
+@pytest.mark.parametrize(("room", "kind"), [(-1, np.int16), (-2, np.int32)])
 def test_more_sequences_than_short_codes_get_long_ones(whole, tmp_path, monkeypatch, room, kind):
     assert np.iinfo(np.int16).max == quantities.MOST_SHORT_CODES
     monkeypatch.setattr(quantities, "MOST_SHORT_CODES", len(maps.words_of(maps.open_map(whole)["sequence"])) + room)

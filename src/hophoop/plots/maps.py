@@ -84,7 +84,7 @@ def motion_map(
         raise InputError("the map's axes must be numbers.")
     ax = new_axes(ax, SIZE)
     if "flag_meanings" in array.attrs:
-        keys = _classes(ax, quantity, x, y, array.values, words_of(array), most)
+        keys = _classes(ax, quantity, x, y, array.values, words_of(array)[:-1], most)
         place: dict[str, Any] = {"bbox_to_anchor": (1.01, 1.01), "borderaxespad": 0.0, "frameon": False}
     else:
         keys, place = _field(ax, x, y, array), {"framealpha": 0.85, "edgecolor": "none"}

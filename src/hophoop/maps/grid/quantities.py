@@ -242,7 +242,7 @@ def attributes(meaning: str, unit: str, words: Sequence[str] = (), first: int = 
 
 
 def words_of(array: Any) -> list[str]:
-    """Return the meanings of the codes 0, 1, … of a coded array of a map.
+    """Return the meanings of the codes of a coded array of a map.
 
     Parameters
     ----------
@@ -252,6 +252,7 @@ def words_of(array: Any) -> list[str]:
     Returns
     -------
     words : list of str
+        For the codes 0, 1, …, and last for −1, ``"not_allowed"``; so ``words[code]`` is right for each of them.
 
     Raises
     ------
@@ -261,4 +262,5 @@ def words_of(array: Any) -> list[str]:
     meanings = getattr(array, "attrs", {}).get("flag_meanings")
     if meanings is None:
         raise InputError(f"{getattr(array, 'name', type(array).__name__)} holds no codes.")
-    return str(meanings).split(" ")[1:]
+    not_allowed, *words = str(meanings).split(" ")
+    return [*words, not_allowed]
