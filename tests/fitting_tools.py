@@ -19,10 +19,10 @@ def hopping(hoop=None, plane=PLANE, start=None, duration=1.01):
     return hh.simulate(hoop or hh.Hoop.ideal(0.6, radius=RADIUS), plane, start or hh.Start.rolling(1.9, angle=0.1), duration)
 
 
-def filmed(motion, seed=1, rate=240.0, angle=True, sigma=SIGMA, sigma_angle=SIGMA_ANGLE, frames=None, alike=0.0, sign=1.0):
+def filmed(motion, seed=1, rate=240.0, angle=True, sigma=SIGMA, sigma_angle=SIGMA_ANGLE, frames=None, alike=0.0):
     """A track as a film of a motion would give it; errors of neighbouring frames may correlate."""
     n = frames or int(motion.duration * rate)
-    t, errors = np.arange(n) / rate, lasting(sign * np.random.default_rng(seed).normal(0, 1, (3, n)), alike)
+    t, errors = np.arange(n) / rate, lasting(np.random.default_rng(seed).normal(0, 1, (3, n)), alike)
     state, radius = motion.at(t), motion.scenario.hoop.radius
     columns = {"x": state.x + sigma * errors[0], "y": state.height + radius + sigma * errors[1]}
     columns |= {"sigma_x": np.full(n, sigma), "sigma_y": np.full(n, sigma)}

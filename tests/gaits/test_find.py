@@ -167,3 +167,8 @@ def test_what_a_gait_shows(usual):
     assert usual.motion(3).sequence == "RSHKRSHKRSHKR"
     with pytest.raises(ValueError, match="periods = 0 must be an integer"):
         usual.motion(0)
+
+
+@pytest.mark.long
+def test_a_gait_that_a_motion_settles_on_after_more_turns_than_a_start_may_have_is_found():
+    assert hh.gaits.find(hh.Scenario(plane=hh.Plane(slope=0.6)), section="landing")

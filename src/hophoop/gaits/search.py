@@ -12,8 +12,8 @@ from hophoop._support.errors import check_whole
 from hophoop.gaits.computing import check, passages
 from hophoop.gaits.differences import last_kept
 from hophoop.gaits.gait import Gait
-from hophoop.gaits.kernels.layout import COORDINATES, MODE, T
-from hophoop.gaits.maps import FASTEST, SectionMap, slowest_over_top
+from hophoop.gaits.kernels.layout import COORDINATES, MODE, THETA, T
+from hophoop.gaits.maps import FASTEST, SectionMap, place_of, slowest_over_top
 from hophoop.gaits.points import Point
 from hophoop.gaits.results import Passages
 from hophoop.gaits.return_map import Known, known, pieces
@@ -160,7 +160,9 @@ def _settled(scenario: Scenario, period: int, bounds: tuple[float, float], secti
         for place in places:
             if section == "landing" or found.mode[place] != "R":
                 image_of = SectionMap(scenario, period, section, found.mode[place])
-                solution = Point(image_of, image_of.point(found.start(place))).solve(patient=True)
+                row = found.numbers[place].copy()
+                row[THETA] %= TWO_PI  # a start may count no more than 10⁶ rad
+                solution = Point(image_of, place_of(section, row)).solve(patient=True)
                 if solution is not None:
                     yield solution
 
