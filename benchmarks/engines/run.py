@@ -19,7 +19,7 @@ import subprocess
 import sys
 import tomllib
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import MISSING, asdict, dataclass, fields, replace
 from datetime import date
 from importlib.metadata import PackageNotFoundError
 from importlib.metadata import version as version_of
@@ -112,7 +112,12 @@ class Failure(Exception):
 def engines() -> dict[str, Engine]:
     """Return all engines, installed or not."""
     text = (HERE / "engines.toml").read_text(encoding="utf-8")
-    return {name: Engine(name=name, **entry) for name, entry in tomllib.loads(text).items()}
+    entries = tomllib.loads(text)
+    needed = [one.name for one in fields(Engine) if one.default is MISSING and one.name != "name"]
+    for name, entry in entries.items():
+        if missing := [key for key in needed if key not in entry]:
+            raise SystemExit(f"engines.toml: [{name}] needs {', '.join(missing)}.")
+    return {name: Engine(name=name, **entry) for name, entry in entries.items()}
 
 
 def record_of(command: Sequence[str], given: dict[str, Any], limit: float = LIMIT) -> Record:
@@ -180,7 +185,8 @@ def rows_of(runs: Sequence[Run], reference: dict[str, float], out: Path | None =
         if scores.wall_seconds and not run.engine.ours:  # dt is not a step there
             pace[key] = scores.wall_seconds / steps
         if out is not None and wanted and run.dt == COMMON_STEP:
-            (out / record_name(run.head())).write_text(record_text(record), encoding="utf-8")
+            notes = record.notes | {"engine": run.engine.title, "scenario": run.scenario}
+            (out / record_name(run.head())).write_text(record_text(replace(record, notes=notes)), encoding="utf-8")
         yield run.head() | {
             "scores": scores.to_dict(),
             "measures": asdict(measures),

@@ -52,6 +52,7 @@ REFUSED = {
     "height of the centre": (lambda s: s._replace(y=s.y + 1.0), r"y must be the gap.*subtract the radius, 1 m"),
     "load below": (lambda s: s._replace(angle=s.angle + np.pi), r"starts with theta = 3\.14159, .* with 0; .*load at the top"),
     "mirrored angle": (lambda s: s._replace(angle=-s.angle), "theta changes by -1 times the integral of omega"),
+    "falling up": (lambda s: s._replace(vy=-s.vy), "y changes by -1 times the integral of vy"),
     "ms": (lambda s: s._replace(t=1e3 * s.t), r"x changes by 0\.001 times the integral of vx over t"),
     "one turn": (lambda s: s._replace(angle=np.mod(s.angle, 2.0 * np.pi)), r"theta jumps by -6\.28 rad after t = 1\.\d+ s"),
     "short": (lambda s: States(*(column[s.t < 1.0] for column in s)), "the record ends at"),
