@@ -237,6 +237,11 @@ def test_what_cannot_be_varied(path):
             compute()
 
 
+def test_points_of_lists_that_do_not_go_together_name_them():
+    with pytest.raises(ValueError, match=r"plane\.mu \(3,\), start\.speed \(2,\)"):
+        maps.points(None, {"plane.mu": [1.0, 2.0, 3.0], "start.speed": [1.0, 2.0]})
+
+
 def test_points_of_a_start_that_goes_on_from_a_state():
     """Another radius contradicts its slip velocity; of a compliant contact there are none."""
     onward = hh.Scenario(start=hh.Start.of(hh.simulate(hh.Scenario()).at(0.5)))

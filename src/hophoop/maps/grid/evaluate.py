@@ -160,7 +160,11 @@ def points(
     base = Scenario() if base is None else base
     check_type("values", values, Mapping)
     arrays = checked_values(base, values)
-    spread = np.broadcast_arrays(*arrays.values())
+    try:
+        spread = np.broadcast_arrays(*arrays.values())
+    except ValueError:
+        shapes = ", ".join(f"{path} {array.shape}" for path, array in arrays.items())
+        raise InputError(f"values have shapes that do not broadcast: {shapes}.") from None
     shape = spread[0].shape if spread else (1,)
     cells = make_cells(base, {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}, math.prod(shape))
     chosen, part = choose(base, quantities, span)
