@@ -360,7 +360,7 @@ def test_each_word_has_one_meaning_in_one_language():
 # --- random layouts of a known record --------------------------------------------------------------
 
 HEADS = (
-    "t|x|y|marker_x|marker_y", "Time|hub x|hub y|load x|load y", "Zeit|Mitte_x|Mitte_y|Gewicht_x|Gewicht_y",
+    "t|x|y|marker_x|marker_y", "Time|hub x|hub y|tape x|tape y", "Zeit|Mittelpunkt_x|Mittelpunkt_y|Aufkleber_x|Aufkleber_y",
     "Temps|X moyeu|Y moyeu|X charge|Y charge", "Tiempo|centro x|centro y|carga x|carga y", "t|x1|y1|x2|y2", "t|x|y|x 2|y 2",
     "Time|hub/0/X|hub/0/Y|load/0/X|load/0/Y", "time|hub.x|hub.y|load.x|load.y",
     "Set 1: Time|Set 1: X|Set 1: Y|Set 1: X 2|Set 1: Y 2",

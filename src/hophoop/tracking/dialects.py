@@ -28,23 +28,24 @@ ENGLISH = {
     "omega": "omega|ω|w|angular velocity|angular speed|angular rate|rotation rate|gyr",
     "object": "track|track id|track n|object|object id|particle|id|instance|individual|bodypart|label|name",
     "centre": "cent|hub|axis|axle",
-    "marker": "mark|load|weight|last|dot|sticker",
+    "marker": "mark|load|weight|last|dot|sticker|tape",
     "gyroscope": "gyro",
     "no position": "veloc|speed|acc|magn|gravi|force|quat|euler|attitude|field",
 }
 COMMA_LANGUAGES = {  # those with a decimal comma
     "German": {
         "t": "zeit", "frame": "bild|bildnummer", "angle": "winkel|drehwinkel",
-        "omega": "winkelgeschwindigkeit|winkelgeschw|drehrate", "centre": "mitte|nabe|zentr", "marker": "gewicht",
+        "omega": "winkelgeschwindigkeit|winkelgeschw|drehrate", "centre": "mitte|nabe|zentr", "marker": "gewicht|klebe",
         "no position": "geschwindigkeit|beschleunigung|kraft",
     },
     "French": {
-        "t": "temps", "omega": "vitesse angulaire", "centre": "milieu|moyeu", "marker": "charge|poids|marque",
+        "t": "temps", "omega": "vitesse angulaire", "centre": "milieu|moyeu", "marker": "charge|poids|marque|gommette",
         "no position": "vitesse",
     },
     "Spanish": {
         "t": "tiempo", "frame": "imagen|fotograma", "angle": "angulo", "omega": "velocidad angular",
-        "centre": r"centro|buje|eje\b", "marker": "carga|peso|marca", "gyroscope": "giroscopio", "no position": "acelera",
+        "centre": r"centro|buje|eje\b", "marker": "carga|peso|marca|pegatina", "gyroscope": "giroscopio",
+        "no position": "acelera",
     },
     "Italian": {"t": "tempo", "angle": "angolo"},
     "Dutch": {"t": "tijd", "angle": "hoek"},
