@@ -326,8 +326,10 @@ def test_digits_of_other_scripts(tmp_path, zero):
 @pytest.mark.parametrize("unit", ["", " (cm)", " (px)"])
 def test_lengths_that_no_hoop_has_are_asked_about(tmp_path, ask, unit):
     size = {"": 100.0, " (cm)": 1e4, " (px)": 400.0}[unit]
-    file = table(tmp_path, f"t,x{unit},y{unit},marker x{unit},marker y{unit}", T, *(size * one for one in PLACES))
+    head = f"t,x{unit},y{unit},marker x{unit},marker y{unit},ruler_px"
+    file = table(tmp_path, head, T, *(size * one for one in PLACES), Y)
     track, words = answered(ask, file)
+    assert ("that in the table (ruler_px, about 0.3, if it is one)" in ask(file)[1]) == bool(unit)
     assert words[::2] == ["--unit", "--unit"]
     assert np.nanmedian(np.hypot(*(track.marker - track.centre).T)) == pytest.approx(0.18, rel=0.05)
 

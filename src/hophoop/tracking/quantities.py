@@ -24,6 +24,7 @@ FEWEST = 10  # rows from which steps of times are judged
 STEPS = (1e-4, 1.0)  # possible steps of a camera or sensor [s]
 RATES = (24, 25, 30, 50, 60, 100, 120, 200, 240, 250, 300, 400, 480, 500, 960, 1000)  # usual ones [Hz]
 REACH = (0.005, 3.0)  # possible distances of a marker from the centre [m]
+STEADY = 0.1  # range of the length of a ruler in all rows, over that length
 STILL = 0.2  # way of a centre that does not move, and its distance from the height of the radius, over the radius
 
 
@@ -439,14 +440,21 @@ def check(sheet: Sheet, values: dict[str, Floats], reach: Floats, angle: Floats)
 
 def _lengths(sheet: Sheet, x: Floats, angle: Floats) -> TableError:
     """Return the question for the unit of lengths, with the size and direction that rolling suggests."""
-    size = 0.01
-    if sheet.how.radius and len(x) > 2 and np.ptp(angle) > 1.0:
+    size, rolls = 0.01, bool(sheet.how.radius and len(x) > 2 and np.ptp(angle) > 1.0)
+    if sheet.how.radius and rolls:
         size = sheet.how.radius / np.polyfit(angle, x, 1)[0] * (unit_factor(sheet.used["x"].unit, "m") or 1.0)
-    unit = next((unit for unit in ("cm", "mm", "in") if abs(size / UNITS["m"][unit] - 1.0) < 0.1), f"{abs(size):.2g}")
+    known = next((unit for unit in ("cm", "mm", "in") if abs(size / UNITS["m"][unit] - 1.0) < 0.1), "")
+    unit = known or f"{abs(size):.2g}"
     y, down = (f"-{unit}", ", with y downwards,") if size < 0 else (unit, "")
-    return question(
-        f"has lengths{down} whose unit is missing or wrong", f"it, or the size of one in m, by --unit x={unit} --unit y={y}"
-    )
+    said = f"it, or the size of one in m, by --unit x={unit} --unit y={y}"
+    if rolls and not known:
+        rulers = [one for one in sheet.free("") if one.unit in PIXELS and np.ptp(one.values) < STEADY * one.values.min()]
+        ruler = f" ({rulers[0].label}, about {np.median(rulers[0].values):.4g}, if it is one)" if rulers else ""
+        said += (
+            ". This size is only an estimate, as if the hoop never slipped: add --free scale, or give the length of a ruler in "
+            f"m divided by that in the table{ruler}"
+        )
+    return question(f"has lengths{down} whose unit is missing or wrong", said)
 
 
 def _orient(sheet: Sheet, values: dict[str, Floats], t: Floats) -> None:
