@@ -246,6 +246,8 @@ RUNS = "t,x Run #1,y Run #1,x Run #2,y Run #2\n"
         ("a.csv", "t,x,y\n" + rows(2), "has 2 rows; at least 3 are needed", {}),
         ("a.csv", "t,x,y\n" + rows(4), "has times from 0 to 3 s, of which 2 are in the window; at least 3", {"since": 1.5}),
         ("a.csv", "t,x,y\n0,1,1\n2,1,1\n1,1,1\n", "must have times that increase, which they do not in row 3", {}),
+        ("a.csv", "t,x,y\n" + 2 * rows(4), "second starts with row 5 of the numbers, where the times start again", {}),
+        ("a.csv", 2 * ("t,x,y\n" + rows(4)), "second starts with row 5 of the numbers, below the line 't,x,y'", {}),
         ("a.csv", "t,x,y\n0,1,1\n1,fast,1\n2,1,1\n", "has 'fast' in column x, row 2 below", {}),
         ("a.csv", "t,x,y\n0,1,inf\n1,1,1\n2,1,1\n", "has 'inf' in column y, row 1 below", {}),
         ("a.csv", "t,x,y\n0,nan,nan\n1,nan,nan\n2,,\n", "has neither x and y, nor marker_x", {}),

@@ -46,6 +46,14 @@ class TableError(ValueError):
     """Why a table is not read: what its file 'has' or 'is', a full sentence behind the file's name."""
 
 
+def several_runs(row: int, place: str) -> TableError:
+    """Return the error of two runs in one table; row: of the numbers, with which the second starts, from 1; place: its sign."""
+    return TableError(
+        f"seems to have two runs, one below the other: the second starts with row {row} of the numbers, {place}. Save each run "
+        "in a file of its own, and give both, as in hophoop fit a.csv b.csv."
+    )
+
+
 class Table(NamedTuple):
     """Cells of a table."""
 
@@ -104,6 +112,9 @@ def split(text: str) -> Table:
         raise TableError(f"has no {'table' if len(rows) < 2 else 'row of numbers'}.")
     last = max(k for k, row in enumerate(rows, 1) if _is_data(row))
     above, body = rows[:first], [["" if cell.lower() in EMPTY else cell for cell in row] for row in rows[first:last]]
+    for k, row in enumerate(body, 1):  # a title, or the names again
+        if any(row[:1]) and not any(map(_is_number, row)) and _is_number(body[0][0]):
+            raise several_runs(k, f"below the line {separator.join(row)!r}")
     width = max(map(len, body))
     short = next((k for k, row in enumerate(body, 1) if len(row) < width), None)
     if short and not separator:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from hophoop.scenario import InputError
-from hophoop.tracking.columns import Column, TableError, unit_factor
+from hophoop.tracking.columns import Column, TableError, several_runs, unit_factor
 from hophoop.tracking.dialects import CENTRE, KIND, MARKER, PIXELS, SHOWN, UNITS
 from hophoop.tracking.hints import require_above_0
 from hophoop.tracking.scatter import Floats
@@ -348,7 +348,9 @@ def times(sheet: Sheet) -> Floats:
     clock = used.get("t") or (None if "frame" in used else sheet.only(sheet.free("t") or named_by_unit, "t"))
     frames = used.get("frame") or sheet.only(sheet.free("frame"), "frame")
     if sheet.how.rate:
-        return _counted(sheet, frames, clock) / sheet.how.rate
+        t = _counted(sheet, frames, clock) / sheet.how.rate
+        require_one_run(t)
+        return t
     if clock is None:
         said = "numbers of frames instead of times" if frames else "no column of times"
         growing = [column for column in sheet.free() if column is not frames and (np.diff(column.values) > 0).all()]
@@ -356,8 +358,17 @@ def times(sheet: Sheet) -> Floats:
         raise question(f"has {said}; {sheet.listed}", *(sheet.option(t=column) for column in growing[:1]), rate)
     used["t"] = clock
     t = _converted(sheet, "t")
+    require_one_run(t)
     check_times(sheet, t)
     return t
+
+
+def require_one_run(t: Floats) -> None:
+    """Refuse a table in which times start again; t: shape (n,), nan where unknown [s]."""
+    rows = np.flatnonzero(np.isfinite(t))
+    for k in np.flatnonzero(np.diff(t[rows]) < 0) + 1:
+        if min(k, len(rows) - k) >= 3 and t[rows[k]] - t[rows[0]] < 0.5 * (t[rows[k - 1]] - t[rows[0]]):
+            raise several_runs(rows[k] + 1, "where the times start again")
 
 
 def _counted(sheet: Sheet, frames: Column | None, clock: Column | None) -> Floats:
