@@ -128,13 +128,6 @@ def test_the_second_run_and_its_marker(ask):
     assert read_track(SAMPLES / "two_runs_side.csv", Reading(columns={"t": "6"})).centre[1] == pytest.approx([0.01201, 0.29909])
 
 
-def test_points_of_deeplabcut_can_be_named():
-    how = Reading(rate=120.0, columns={"x": "hub x", "y": "hub y"}, marker="load", units={"x": "0.0025", "y": "-0.0025"})
-    track = read_track(SAMPLES / "deeplabcut.csv", how)
-    assert np.diff(track.centre[:2, 0]) == pytest.approx([0.0025 * 6.131])
-    assert track.marker[0, 1] - track.centre[0, 1] == pytest.approx(0.0025 * (179.881 - 72.39))
-
-
 # --- one kind of fault each ------------------------------------------------------------------------
 
 T = np.arange(40) / 120.0
@@ -142,6 +135,7 @@ ANGLE = 0.1 + 6.3 * T + 3.0 * T**2
 X, Y = 0.95 + 0.3 * ANGLE, np.full(40, 0.3)
 LOAD_X, LOAD_Y = X + 0.18 * np.sin(ANGLE), Y + 0.18 * np.cos(ANGLE)
 PLACES = (X, Y, LOAD_X, LOAD_Y)
+FRAMES = np.arange(40)
 HALF_A_DAY = "%I:%M:%S.%f %p"
 
 
@@ -203,6 +197,18 @@ def test_repeated_times_and_bursts_are_counted_by_a_rate(tmp_path, ask, t, rate)
     assert "The rows are counted" in track.notes[0]
 
 
+@pytest.mark.parametrize(("rows", "rate"), [(FRAMES // 2, 60.0), (FRAMES - (FRAMES % 5 == 4), None)])
+def test_copies_of_rows_are_left_out(tmp_path, rows, rate):
+    fresh = np.unique(rows, return_index=True)[1]
+    track = read_track(table(tmp_path, "t,x,y", T, X[rows], Y), Reading(rate=rate))
+    assert "rows that repeat the one before are left out." in track.notes[0]
+    assert_read(track, t=T[fresh], x=X[rows[fresh]])
+
+
+def test_rows_that_are_equal_by_rounding_are_no_copies(tmp_path):
+    assert_read(read_track(table(tmp_path, "t,x,y", T, np.round(0.5 * T, 2), Y)), t=T)
+
+
 def test_a_gap_in_the_times_is_no_burst(tmp_path):
     t = np.where(T < 0.05, T, T + 0.1)[:20]
     assert_read(read_track(table(tmp_path, "t,x,y", t, X[:20], Y[:20])), t=t)
@@ -238,11 +244,6 @@ def test_the_same_heads_twice_are_named_by_their_numbers(tmp_path, ask):
     assert_read(track, x=X)
     numbers = {"x": "2", "y": "3", "marker_x": "4", "marker_y": "5"}
     assert_read(read_track(file, Reading(columns=numbers)), marker_x=LOAD_X)
-
-
-def test_a_run_with_times_of_its_own_is_chosen_by_them(tmp_path):
-    file = table(tmp_path, "t,x,y,t,x,y", T, X, Y, 2.0 * T, X, Y)
-    assert_read(read_track(file, Reading(columns={"t": "4"})), t=2.0 * T)
 
 
 def test_a_marker_alone_is_no_centre(tmp_path):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from hophoop._support.extras import need
-from hophoop.tracking.scatter import Complexes, Flags, Floats
+from hophoop.tracking.hints import TINY
+from hophoop.tracking.scatter import Complexes, Flags, Floats, spread, third_differences
 
 LEAST_TURN = 0.25  # minimum rotation of a marker per radius that the hoop goes; rolling has 1, a skid less [rad]
 MOSTLY = 0.5  # minimum share of the frames in which a marker is visible, and of a rim that is seen in half of the frames
@@ -15,9 +16,17 @@ FAST = 10.0  # speed that is unusual, over the root of gravity times radius
 GRAVITY = 9.81  # [m/s²]
 CHANGED = 1.7  # ratio of times or steps between frames that is no scatter
 STILL = 0.3  # change of a repeated picture over the usual change
+LIVELY = 0.9  # share of the pictures that change less than usual, or repeat the one before
+SHAKES = 0.15  # step of a repeated picture, as found again, over those before and after it
+EVEN, MOST = 1.2, 0.8  # ratio of times between pictures of one rate, and the minimum share of these
 MOVES = 1.0  # step between frames that is seen [pixel]
 DOUBLE = 1.5  # ratio of the step after a repeated picture to a usual one, if the film has lost a picture there
-FEWEST = 3  # repeated pictures that are no accident
+NO_ACCIDENT = 3  # repeated pictures that are no accident
+FEWEST_ROWS = 10  # of a table from which its scatter is judged
+ROUNDING = 0.3  # standard deviation of a number by its rounding, over the last digit
+NEAR, ON_GRID = 20.0, 0.05  # squares of distances on a square grid, over that of its points: range, error as an integer
+CLEAR = 8.0  # step of the hoop, over the scatter of its places, that neither scatter nor rounding hides
+MOSTLY_CLEAR = 0.25  # minimum share of the equal rows that are clear copies; others may be equal by rounding
 DOUBT = "Doubtful: "
 
 
@@ -68,10 +77,101 @@ def repeated(changes: Floats, steps: Floats) -> Flags:
 
     changes: shape (n,), mean change of luma from the picture before [1]; steps: shape (n − 1,), as `steps_of` returns them.
     """
-    padded = np.pad(steps, 2)
-    before, after = np.fmax(padded[:-4], padded[1:-3]), np.fmax(padded[3:-1], padded[4:])
-    still = (changes[1:] < STILL * np.nanmedian(changes)) & (steps < 0.3 * MOVES)
-    return np.concatenate([[False], still & (np.minimum(before, after) > MOVES)])
+    # also where most pictures repeat, and of a rim that coding moves a little
+    quiet = changes[1:] < STILL * np.nanquantile(changes, LIVELY)
+    still = quiet & ((steps < 0.3 * MOVES) | shakes(steps))
+    clear = copies(still, steps > MOVES)
+    return copies(still, ~still) if clear.sum() >= NO_ACCIDENT else clear  # then also in slow parts
+
+
+def shakes(steps: Floats) -> Flags:
+    """Return True for steps that are much smaller than those before and after them."""
+    padded = np.pad(steps, 1)
+    return np.asarray(steps < SHAKES * np.fmin(padded[:-2], padded[2:]))
+
+
+def copies(same: Flags, moves: Flags) -> Flags:
+    """Return True for each row that is a copy of the one before, of a hoop that moves before and after the copies.
+
+    A run of equal rows at an end is one of copies if it is no longer than another one; a hoop at rest stays longer.
+
+    same, moves: shape (n − 1,), whether a row equals the one before, and whether the hoop moves in between; again: shape (n,).
+    """
+    again, ends = np.append(False, same), np.flatnonzero(np.diff(np.pad(same, 1).astype(int)))
+    runs = ends.reshape(-1, 2)
+    inside = np.pad(moves, 1)[runs + np.array([0, 1])]
+    whole = inside.all(axis=1)
+    length = np.diff(runs, axis=1)[:, 0]
+    at_end = (runs == [0, len(same)]) | inside
+    whole |= at_end.all(axis=1) & (length <= length[whole].max(initial=0))
+    for first, last in runs[~whole]:
+        again[first + 1 : last + 1] = False
+    return again
+
+
+def repeated_rows(places: list[Complexes], count: int) -> tuple[Floats, Flags]:
+    """Return steps of the hoop over the scatter of its places, and which rows of a table are copies of the one before.
+
+    Rows that are equal by rounding are none: there the hoop moves by no more than that.
+
+    places: of each point in the complex plane and an angle, shape (count,), nan where unknown, each in any unit; steps: shape
+    (count − 1,) [1]; again: shape (count,).
+    """
+    steps, again = np.zeros(count - 1), np.zeros(count, dtype=bool)
+    there = np.flatnonzero(np.isfinite(places).any(axis=0)) if places else np.zeros(0, dtype=int)
+    if len(there) < FEWEST_ROWS:
+        return steps, again
+    values = np.array(places)[:, there]
+    ways, unknown = np.abs(np.diff(values)), np.isnan(values)
+    same = ((ways == 0) | (unknown[:, 1:] & unknown[:, :-1])).all(axis=0)
+    fresh = np.append(True, ~same)
+    numbers = there[fresh].astype(float), np.arange(fresh.sum(), dtype=float)  # if copies replace others, or are added
+    moves = np.zeros(len(same))
+    for way, known in zip(ways, values[:, fresh], strict=True):
+        scatter = min(max(_scatter(number, known.real), _scatter(number, known.imag)) for number in numbers)
+        moves = np.fmax(moves, way / max(scatter, ROUNDING * _grid(way), TINY))
+    clear, equal = copies(same, moves > CLEAR).sum(), copies(same, ~same).sum()
+    if clear >= max(NO_ACCIDENT, MOSTLY_CLEAR * equal):
+        again[there] = copies(same | shakes(moves), ~same)  # also in slow parts, and those marked by hand a second time
+    steps[there[1:] - 1] = moves
+    return steps, again
+
+
+def _scatter(t: Floats, values: Floats) -> float:
+    """Standard deviation of values about a smooth motion, inf if there are too few; t: shape (n,), and values with nan."""
+    found = third_differences(t, values)
+    return spread(found) if len(found) >= FEWEST_ROWS else np.inf
+
+
+def _grid(ways: Floats) -> float:
+    """Distance of the points of a square grid between which these ways are, 0 if there is none; nan where unknown."""
+    known = ways[ways > 0]
+    least = float(known.min(initial=np.inf))
+    near = (known / least) ** 2
+    near = near[near < NEAR]
+    return least if len(near) >= FEWEST_ROWS and (np.abs(near - np.round(near)) < ON_GRID).all() else 0.0
+
+
+def doubt_copies(t: Floats, steps: Floats, again: Flags, rows: str) -> list[str]:
+    """Report copies that are left out, and doubt times which are uneven without them.
+
+    t: shape (n,), times [s]; steps: shape (n − 1,), of the hoop from row to row [1]; again: as `copies` returns it; rows: their
+    name.
+    """
+    count, first, last = again.sum(), again.argmax(), len(again) - 1 - again[::-1].argmax()
+    if not count:
+        return []
+    within = slice(first - 1, last + 1)
+    waits = np.diff(t[within][~again[within]]) / np.median(np.diff(t))
+    usual = np.median(waits) if len(waits) else 1.0
+    even = usual > EVEN and np.mean(np.abs(waits / usual - 1.0) < EVEN - 1.0) > MOST  # each picture as often
+    if count >= NO_ACCIDENT and not even and not _double_after(steps, again):
+        rate = (last - first + 1 - count) / (t[last] - t[first])
+        return [
+            f"{DOUBT}{count} of {len(t)} {rows} repeat the one before, the first at {t[first]:.3f} s, as in a "
+            f"film that was converted to another rate. Give the rate at which it was taken, about --rate {rate:.0f}."
+        ]
+    return [f"{count} {rows} that repeat the one before are left out."]
 
 
 def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
@@ -91,16 +191,7 @@ def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
             f"which change at {t[np.argmax(slow != slow[0])]:.3f} s. "
             f"If it was taken at one rate, give that, such as --rate {fast}; otherwise keep to one part by --from and --to."
         ]
-    said = []
-    count = again.sum()
-    if count >= FEWEST and not _double_after(steps, again):
-        rate = (len(t) - 1 - count) / (t[-1] - t[0])
-        said.append(
-            f"{DOUBT}{count} of {len(t)} pictures repeat the one before, the first at {t[again.argmax()]:.3f} s: the film "
-            f"was converted to another rate. Give the rate at which it was taken, about --rate {rate:.0f}."
-        )
-    elif count:
-        said.append(f"{count} pictures that repeat the one before are left out.")
+    said = doubt_copies(t, steps, again, "pictures")
     gaps = waits > CHANGED * usual
     if gaps.any():
         missing = np.round(waits[gaps] / usual[gaps] - 1).sum()
@@ -121,8 +212,18 @@ def doubt_times(t: Floats, steps: Floats, again: Flags) -> list[str]:
     return said
 
 
+def count_taken(steps: Floats, again: Flags) -> Floats:
+    """Return numbers of pictures at the rate at which they were taken: copies that were added are between them.
+
+    steps, again: as in `doubt_copies`; shape (n,).
+    """
+    rows = np.arange(len(again), dtype=float)
+    fresh = rows[~again]
+    return rows if _double_after(steps, again) else np.interp(rows, [*fresh, len(rows)], np.arange(len(fresh) + 1))
+
+
 def _double_after(steps: Floats, again: Flags) -> bool:
     """Return True if the step after a repeated picture is double: the camera lost one, and the times are right."""
-    rows = np.flatnonzero(again)
-    rows = rows[(rows >= 2) & (rows < len(steps))]
-    return bool(len(rows)) and bool(np.nanmedian(steps[rows] / np.maximum(steps[rows - 2], 1e-9)) > DOUBLE)
+    fresh = ~again[1:]
+    ways, after = steps[fresh], again[:-1][fresh][1:]
+    return bool(after.any()) and bool(np.nanmedian((ways[1:] / np.maximum(ways[:-1], 1e-9))[after]) > DOUBLE)

@@ -86,8 +86,9 @@ def _track(places: Places, seen: Seen, hints: Hints, radius: float, source: str)
         hints.exposure, hints.row_delay, hints.rate, SCALE_ERROR / size, line.height_error / scale, line.angle_error,
         seen.first,
     )  # fmt: skip
-    step, tilt = float(np.median(np.diff(places.t))), max(abs(camera.tilt_x), abs(camera.tilt_y))
-    doubts = doubt_hoop(centre / size, places.agreement, step, radius, tilt) or places.notes
+    fresh, tilt = ~places.again, max(abs(camera.tilt_x), abs(camera.tilt_y))
+    step = float(np.median(np.diff(places.t[fresh])))
+    doubts = doubt_hoop(centre[fresh] / size, places.agreement, step, radius, tilt) or places.notes
     if chroma is not None:
         doubts += doubt_marker(place.real / radius, angle)
     slope, slope_error = hints.slope, float("nan")
@@ -117,7 +118,7 @@ def _marker_error(places: Places, least: Floats) -> Floats:
 
 def _notes(places: Places, with_marker: bool, line: Ground, hints: Hints) -> tuple[str, ...]:
     notes, there = [], np.isfinite(places.agreement)
-    lost, bare = (~there).sum(), (there & np.isnan(places.angle)).sum()
+    lost, bare = (~there & ~places.again).sum(), (there & np.isnan(places.angle)).sum()
     heights, size = places.centre[there].imag, places.radius
     if lost:
         notes.append(f"The hoop is lost in {lost} of {len(there)} frames.")

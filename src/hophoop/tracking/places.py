@@ -9,7 +9,7 @@ import numpy as np
 from hophoop.scenario import InputError
 from hophoop.tracking.camera import USUAL_FOCAL, Camera, fit_camera, flat, pairs
 from hophoop.tracking.circle import UNKNOWN, CircleFit, fit_circle, robust_circle
-from hophoop.tracking.doubts import doubt_times, repeated, steps_of
+from hophoop.tracking.doubts import count_taken, doubt_times, repeated, steps_of
 from hophoop.tracking.hints import Hints
 from hophoop.tracking.looking import Seen
 from hophoop.tracking.marker import choose_spots, count_revolutions
@@ -36,6 +36,7 @@ class Places(NamedTuple):
     angle: Floats  # of the line to the marker from up, clockwise, without jumps, at the exposure of the centre's row [rad]
     marker_pixel: Complexes
     doubtful: float | None  # time after which whole revolutions may be missing [s]
+    again: Flags  # pictures that repeat the one before
     notes: list[str]  # on the times
 
     @property
@@ -66,7 +67,7 @@ def find_places(seen: Seen, hints: Hints, source: str) -> Places:
     row = camera.to_picture(pairs(centre))[:, 1]
     t = t + 0.5 * hints.exposure + hints.row_delay * np.interp(t, t[there], row[there])
     reach, angle, doubtful = _arrows(t, centre, mark, hints.row_delay * (pixel.imag - row))
-    return Places(camera, t, centre, covariance, radius, agreement, reach, angle, pixel, doubtful, notes)
+    return Places(camera, t, centre, covariance, radius, agreement, reach, angle, pixel, doubtful, again, notes)
 
 
 def _times(seen: Seen, steps: Floats, rate: float | None) -> tuple[Flags, Floats, list[str]]:
@@ -74,8 +75,7 @@ def _times(seen: Seen, steps: Floats, rate: float | None) -> tuple[Flags, Floats
     again = repeated(seen.changes, steps)
     if rate is None or not again.any():
         return again, seen.t, doubt_times(seen.t, steps, again)
-    counted = np.arange(len(again)) - np.cumsum(again) + 0.5 * again  # between the neighbours, for an increasing order
-    return again, seen.t[0] + counted / rate, [f"{again.sum()} repeated pictures are left out."]
+    return again, seen.t[0] + count_taken(steps, again) / rate, [f"{again.sum()} repeated pictures are left out."]
 
 
 def _require_frames(count: int, source: str) -> None:

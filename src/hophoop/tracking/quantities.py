@@ -12,14 +12,16 @@ import numpy as np
 from hophoop.scenario import InputError
 from hophoop.tracking.columns import Column, TableError, several_runs, unit_factor
 from hophoop.tracking.dialects import CENTRE, KIND, MARKER, PIXELS, SHOWN, UNITS
+from hophoop.tracking.doubts import count_taken, doubt_copies, repeated_rows
 from hophoop.tracking.hints import require_above_0
-from hophoop.tracking.scatter import Floats
+from hophoop.tracking.scatter import Flags, Floats
 from hophoop.tracking.table import COLUMNS, Track, track_of
 
 CHANNELS = ("frame", *COLUMNS)
 CERTAIN = COLUMNS.keys() - {"t", "x", "y", "angle", "omega"}  # quantities whose name has only one meaning
 MOST_NAMED = 12  # columns that a remark names
 ALIKE = 0.97  # minimum mean resultant length of the difference between an angle and the direction to the marker [1]
+PLACES = (("x", "y"), ("marker_x", "marker_y"), ("angle",))
 FEWEST = 10  # rows from which steps of times are judged
 STEPS = (1e-4, 1.0)  # possible steps of a camera or sensor [s]
 RATES = (24, 25, 30, 50, 60, 100, 120, 200, 240, 250, 300, 400, 480, 500, 960, 1000)  # usual ones [Hz]
@@ -141,7 +143,7 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
     if not {"x", "marker_x", "angle", "omega"} & used.keys():
         said = f"has neither x and y, nor marker_x and marker_y, nor angle, nor omega; {sheet.listed}"
         raise question(said, sheet.such("x", "y"))
-    t = times(sheet)
+    t, again = times(sheet)
     values = {channel: _converted(sheet, channel) for channel in used if channel not in ("t", "frame")}
     if "angle" in values:
         values["angle"] = unwrapped(values["angle"])
@@ -157,7 +159,7 @@ def track_from_sheet(sheet: Sheet, source: str) -> Track:
             sheet.notes.append(f"{used['angle'].label} {said}")
     if "omega" in values:
         _orient(sheet, values, t)
-    keep = np.isfinite(t)
+    keep = np.isfinite(t) & ~again
     if not ours:  # a row with a time only is a frame without marks
         keep &= np.isfinite(list(values.values())).any(axis=0)
     rest = [one for one in sheet.columns if one not in used.values() and one.quantity != "polar"]
@@ -341,16 +343,23 @@ def unwrapped(angle: Floats) -> Floats:
 # --- times -----------------------------------------------------------------------------------------
 
 
-def times(sheet: Sheet) -> Floats:
-    """Times of the rows [s], from a column of times or from the numbers of frames."""
+def times(sheet: Sheet) -> tuple[Floats, Flags]:
+    """Return times of the rows, and which are copies of the one before; from a column of times or from the numbers of frames.
+
+    t, again: shape (n,) [s].
+    """
     used = sheet.used
     named_by_unit = [column for column in sheet.free("") if column.unit in UNITS["s"].keys() - {""}]
     clock = used.get("t") or (None if "frame" in used else sheet.only(sheet.free("t") or named_by_unit, "t"))
     frames = used.get("frame") or sheet.only(sheet.free("frame"), "frame")
+    points = [np.array([used[axis].values for axis in axes]) for axes in PLACES if used.keys() >= {*axes}]
+    steps, again = repeated_rows([point[0] + 1j * point[1:].sum(axis=0) for point in points], len(sheet.columns[0].values))
     if sheet.how.rate:
-        t = _counted(sheet, frames, clock) / sheet.how.rate
+        t = _counted(sheet, frames, clock, count_taken(steps, again)) / sheet.how.rate
         require_one_run(t)
-        return t
+        if again.any():
+            sheet.notes.append(f"{again.sum()} rows that repeat the one before are left out.")
+        return t, again
     if clock is None:
         said = "numbers of frames instead of times" if frames else "no column of times"
         growing = [column for column in sheet.free() if column is not frames and (np.diff(column.values) > 0).all()]
@@ -360,7 +369,8 @@ def times(sheet: Sheet) -> Floats:
     t = _converted(sheet, "t")
     require_one_run(t)
     check_times(sheet, t)
-    return t
+    sheet.notes.extend(doubt_copies(t, steps, again, "rows"))
+    return t, again
 
 
 def require_one_run(t: Floats) -> None:
@@ -371,18 +381,19 @@ def require_one_run(t: Floats) -> None:
             raise several_runs(rows[k] + 1, "where the times start again")
 
 
-def _counted(sheet: Sheet, frames: Column | None, clock: Column | None) -> Floats:
+def _counted(sheet: Sheet, frames: Column | None, clock: Column | None, taken: Floats) -> Floats:
     """Return the numbers of frames: of their column, of times that are none, or of the rows."""
     column = frames or clock
     if column is not None:
         sheet.used["frame"] = column
         known = column.values[np.isfinite(column.values)]
         if (known == np.round(known)).all() and (frames or not column.unit):
-            return column.values
-        if not uneven(known):
+            return column.values + taken - np.arange(len(taken))
+        if uneven(known):
+            sheet.notes.append(f"The rows are counted, since the times in {column.label} repeat or come in bursts.")
+        elif taken[-1] == len(taken) - 1:
             raise question("has times, no numbers of frames: leave out --rate (rate= in a Reading)")
-        sheet.notes.append(f"The rows are counted, since the times in {column.label} repeat or come in bursts.")
-    return np.arange(len(sheet.columns[0].values), dtype=float)
+    return taken
 
 
 def uneven(t: Floats) -> bool:
