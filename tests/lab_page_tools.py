@@ -211,6 +211,10 @@ class Steps:
     def media(self, said):
         self.page.emulate_media(media=said)
 
+    def sheets(self, said):
+        """So many pages of A4 in print."""
+        assert self.page.pdf(format="A4").count(b"/Type /Page\n") == int(said)
+
     def back(self, _):
         self.page.go_back()
 
