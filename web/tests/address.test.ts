@@ -19,15 +19,23 @@ test("a link holds time, view and map", () => {
     text,
     "t=1.25&show=tc3&zoom=2&pan=0.125,-0.3&from=0.5,0.31,7&map=hop_height,start.speed,1,2.5,plane.mu,0,1",
   );
-  assert.deepEqual(readShown(`#with=x&${text}`), SHOWN);
+  assert.deepEqual(readShown(`with=x&${text}`), SHOWN);
 });
 
 test("a file holds its query behind the #, and opens the links of a folder", () => {
-  const parts = { query: "start.speed=2", view: "#t=1&with=a%3Db" };
-  assert.deepEqual(shownIn({ search: "", hash: "#?start.speed=2#t=1&with=a%3Db" }), parts);
-  assert.deepEqual(shownIn({ search: "?start.speed=2", hash: "#t=1&with=a%3Db" }), parts);
-  assert.deepEqual(shownIn({ search: "", hash: "#t=1" }), { query: "", view: "#t=1" });
-  assert.deepEqual(shownIn({ search: "", hash: "#?duration=2" }), { query: "duration=2", view: "" });
+  for (const [query, view, ...addresses] of [
+    [
+      "start.speed=2",
+      "t=1&with=a%3Db",
+      "?start.speed=2#t=1&with=a%3Db",
+      "?a=1#t=1&with=a%3Db?start.speed=2",
+      "#?start.speed=2#t=1&with=a%3Db",
+    ],
+    ["", "t=1", "#t=1", "##t=1", "?a=1##t=1", "?a=1#t=1?"],
+    ["duration=2", "", "?duration=2", "#?duration=2"],
+  ]) {
+    for (const address of addresses) assert.deepEqual(shownIn(new URL(address, "file:///")), { query, view }, address);
+  }
 });
 
 test("wrong parts of a link are left out", () => {

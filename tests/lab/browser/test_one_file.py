@@ -8,7 +8,7 @@ from hophoop.vocabulary.names import FATES, identifier
 from lab_page_tools import PATIENCE
 
 # Begun by hand: a page that opens at a time does not play by itself.
-AT_REST = "#?start.speed=2#t=0&view=everything"
+AT_REST = "#t=0&view=everything?start.speed=2"
 KNOWN = """
   const lab = globalThis.hophoopLab;
   const first = (selector) => document.querySelector(selector);
@@ -112,12 +112,24 @@ def test_a_load_is_dragged_a_map_is_there_and_a_link_is_copied_and_opened_again(
         return [lab.copied, location.href, lab.film().query];""",
     )
     assert link.startswith(f"{file}?{query}#t=0.3&")
-    assert address == link.replace("?", "#?", 1)
+    assert address == f"{file}#{link.partition('#')[2]}?{query}"
     for again in (link, address):
         opened(window, again)
         assert asked(window, "return [lab.film().query, lab.clock.time];") == [query, 0.3]
     names = asked(window, "return performance.getEntriesByType('resource').map(({ name }) => name.split(':')[0]);")
     assert set(names) <= {"blob", "data"}
+
+
+def test_its_address_holds_what_is_seen_where_it_was_opened_with_another_hoop(window, file):
+    opened(window, f"{file}?start.speed=2.5#t=1")
+    address = asked(
+        window,
+        """lab.motions.change([['start.speed', 3.1]], true);
+        await until(() => lab.address.number === 1 && location.href.split('#').length === 2);
+        return location.href;""",
+    )
+    opened(window, address)
+    assert asked(window, "return [lab.film().query, lab.clock.time];") == ["", 1]
 
 
 def test_all_is_in_it_and_it_says_whose_it_is(window, file):

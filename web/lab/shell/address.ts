@@ -49,20 +49,25 @@ export function written(shown: Shown) {
 }
 
 /** What a link says of it; what it does not say, or says wrongly, is left out. */
-export function readShown(hash: string): Shown {
-  const parts = new URLSearchParams(hash.replace(/^#/, ""));
+export function readShown(view: string): Shown {
+  const parts = new URLSearchParams(view);
+  /** So many numbers, or nothing. */
+  const numbers = (name: string, count: number) => {
+    const found = parts.get(name)?.split(",").map(Number);
+    return found?.length === count && found.every(Number.isFinite) ? found : null;
+  };
   const shown: Shown = {};
-  const [time] = numbers(parts.get("t"), 1) ?? [];
+  const [time] = numbers("t", 1) ?? [];
   if (time >= 0) shown.time = time;
   const letters = parts.get("show");
   if (letters !== null) {
     shown.options = Object.fromEntries(LETTERS.map(([name, letter]) => [name, letters.includes(letter)]));
   }
-  const [zoom] = numbers(parts.get("zoom"), 1) ?? [];
+  const [zoom] = numbers("zoom", 1) ?? [];
   if (zoom > 0) shown.zoom = clamp(zoom, 0.05, 60);
-  const pan = numbers(parts.get("pan"), 2);
+  const pan = numbers("pan", 2);
   if (pan) shown.pan = pan.map((part) => clamp(part, -20, 20)) as [number, number];
-  const from = numbers(parts.get("from"), 3);
+  const from = numbers("from", 3);
   if (from) shown.from = from;
   const more = parts.get("more");
   if (more) shown.more = more;
@@ -77,22 +82,19 @@ export function readShown(hash: string): Shown {
   return shown;
 }
 
-/** So many numbers, or nothing. */
-function numbers(text: string | null, count: number) {
-  const found = (text ?? "").split(",").map(Number);
-  return text && found.length === count && found.every(Number.isFinite) ? found : null;
-}
-
-/** The parts of an address. A page that is one file has its query behind the #, as all else there may be refused. */
+/**
+ * The parts of an address. A page that is one file has its query behind the # as well, as all else there may be refused:
+ * #view?query, or as in earlier links #?query#view and ##view.
+ */
 export function shownIn({ search, hash }: Pick<Location, "search" | "hash">) {
-  const [, query, view] = hash.match(/^#\?([^#]*)(.*)$/) ?? [];
-  return query === undefined ? { query: search.slice(1), view: hash } : { query, view };
+  const [, view, query, rest] = hash.match(/^#*([^?#]*)\??([^#]*)#?(.*)/) as string[];
+  return { query: /^##|\?/.test(hash) ? query : search.slice(1), view: view || rest };
 }
 
 /** The two links that an address holds. */
 export const queries = () => {
   const { query, view } = shownIn(location);
-  const other = new URLSearchParams(view.slice(1)).get("with");
+  const other = new URLSearchParams(view).get("with");
   return [query, ...(other === null ? [] : [other])];
 };
 
@@ -104,7 +106,7 @@ export class Address {
   soon = once(() => this.write("same"), WAIT);
   listen = () => this.arrived();
 
-  /** `own`: what the address begins with. */
+  /** `own`: what the address begins with; nothing where all is behind its #. */
   constructor(
     readonly lab: Pick<Lab, "backend" | "link" | "motions" | "notice">,
     readonly own: string,
@@ -123,9 +125,12 @@ export class Address {
     // a motion that is still in the hand is no step, and must not take the place of the one before
     if (!motions.history.holds(motions.queries())) return;
     if (this.held && (step === "same" || step === "travelled")) return;
-    const link = `${this.own}${this.lab.link()}`;
-    if (step === "step" || this.held) history.pushState({ number: ++this.number }, "", link);
-    else history.replaceState({ number: this.number }, "", link);
+    const link = this.lab.link();
+    // no query is said as well where it takes the place of one before the #
+    const [, query = location.search && "?", view] = link.match(/^(\?[^#]*)?#?(.*)/) as string[];
+    const address = this.own ? this.own + link : `#${view}${query}`;
+    if (step === "step" || this.held) history.pushState({ number: ++this.number }, "", address);
+    else history.replaceState({ number: this.number }, "", address);
     this.held = false;
   }
 

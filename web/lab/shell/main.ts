@@ -63,7 +63,7 @@ async function startPage(root: HTMLElement) {
 async function startFile(root: HTMLElement, held: (name: string) => Packed, worker: string) {
   const kernel = WorkerKernel.unpack(held("module"), worker, async () => held("fates"));
   const base = told("url") ?? ownAddress();
-  await open(root, await started(root, speakPacked(held("words")), backendOf(kernel, base)), "#");
+  await open(root, await started(root, speakPacked(held("words")), backendOf(kernel, base)), "");
 }
 
 /** `own`: what the address of the page begins with. */
