@@ -115,7 +115,7 @@ def slides() -> list[str]:
         "<p class='ask'>1.7 m/s on ice, on a smooth and on a rough floor: which hops?</p>"
         f"{film('friction', 'Three hoops at the same speed on floors of different friction')}"
         f"{answer(f'With μ = {hop}: there is a best friction in between.')}",
-        "<h2>Your turn</h2><ul><li>Worksheet, A1 to A9</li><li>The lab: <code>hophoop lab</code></li>"
+        "<h2>Your turn</h2><ul><li>Worksheet, A1 to A9</li><li>The lab: <code>play.html</code> or <code>hophoop lab</code></li>"
         "<li>Build one: a bicycle rim, steel plates, cable ties</li></ul>"
         "<p class='quiet'>Computed with hophoop, after H. Sönnerlind, The physics of a hopping hoop (2023).</p>",
     ]

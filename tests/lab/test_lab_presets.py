@@ -77,5 +77,5 @@ def test_the_worksheet_has_its_hoop():
     link = re.search(r"play/index\.html\?([^\"]+)", sheet)[1].replace("&amp;", "&")
     assert hh.Scenario.from_query(link) == preset.scenario
     lessons = text_of("web/lab/teach/teach.ts")
-    assert hh.Scenario.from_query(re.search(r'SHEET = "([^"]+)"', lessons)[1] + "1") == preset.scenario
+    assert hh.Scenario.from_query(re.search(r'HOOP = "([^"]+)"', lessons)[1] + "1.5&start.speed=1") == preset.scenario
     assert "*Examples* has the hoop of this sheet" in sheet

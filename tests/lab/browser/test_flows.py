@@ -336,6 +336,14 @@ FLOWS = {
         is lab.extras.sound.on
         click .leave
         button Everything
+        do lab.extras.visit.start()
+        until seen('.visit-count') && $SETTLED
+        click .learn summary
+        button For teachers
+        # nothing hops before all have voted
+        click .teach[open] tbody button
+        until lab.film().radius === 0.4 && !seen('.teach, .visit') && seen('.transport')
+        is !lab.film().sequence.includes('H')
         click .learn summary
         button For teachers
         click .teach[open] .sheet-table tr:nth-child(4) button

@@ -36,7 +36,10 @@ export class Extras {
   table = new Table(this.clock, this.lab.motions, this.lab.theme);
   more = new More(this.lab);
   teach = teachDialog(
-    (query) => this.lab.load(query),
+    (query) => {
+      this.visit.leave();
+      this.lab.load(query);
+    },
     () => this.visit.start(),
   );
   /** Switches beside those of the player, and whether each is on. */

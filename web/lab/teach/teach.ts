@@ -3,18 +3,19 @@
 import { closing, h, headed, rowOf } from "../common/dom.ts";
 import { docs } from "../shell/help.ts";
 
-const SHEET = "hoop.radius=0.4&duration=1.5&start.speed=";
+const HOOP = "hoop.radius=0.4&duration=";
+const SHEET = `${HOOP}1.5&start.speed=`;
 
-/** Minute, what happens, the motion that it needs. */
-const LESSON: [string, string, string | null][] = [
-  ["0", "teach.lesson_show", "duration=2"],
-  ["3", "teach.lesson_guess", null],
-  ["7", "teach.lesson_energy", "start.speed=0.1&duration=8"],
-  ["17", "teach.lesson_takeoff", "start.speed=3.7&duration=2"],
-  ["24", "teach.lesson_slow", "duration=2"],
+/** Minute, what happens, the motion that it needs. The first one ends before the hoop takes off. */
+const LESSON: [string, string, string?][] = [
+  ["0", "teach.lesson_show", `${HOOP}0.58&start.speed=2`],
+  ["3", "teach.lesson_guess"],
+  ["7", "teach.lesson_energy", `${HOOP}5&start.speed=0.06`],
+  ["17", "teach.lesson_takeoff", `${SHEET}2.3`],
+  ["24", "teach.lesson_slow", `${SHEET}2`],
   ["28", "teach.lesson_groups", `${SHEET}2.2`],
-  ["35", "teach.lesson_why", null],
-  ["42", "teach.lesson_summary", null],
+  ["35", "teach.lesson_why"],
+  ["42", "teach.lesson_summary"],
 ];
 
 const IDEAS = ["top", "bottom", "free_fall", "friction_brakes", "more_friction", "mass"];
@@ -23,11 +24,18 @@ const TASKS = ["guess", "energy", "rest", "fall", "force", "lab", "threshold", "
 const SPEEDS = ["1.0", "1.3", "1.6", "1.9", "2.2", "2.3"];
 
 export function teachDialog(load: (query: string) => void, visit: () => void) {
-  const go = (query: string) => {
-    dialog.close();
-    load(query);
-  };
-  const motion = (query: string, words = "teach.show") => h("button.link", { onclick: () => go(query) }, words);
+  const link = (words: string, go: () => void) =>
+    h(
+      "button.link",
+      {
+        onclick: () => {
+          dialog.close();
+          go();
+        },
+      },
+      words,
+    );
+  const motion = (query: string, words = "teach.show") => link(words, () => load(query));
   const base = docs();
   const pages = base && [
     ["teach/index.html", "teach.pages"],
@@ -39,7 +47,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     "table",
     h("caption", "teach.lesson"),
     headed("teach.minute", "motion.story", "teach.motion"),
-    h("tbody", ...LESSON.map(([minute, what, query]) => rowOf(minute, what, query === null ? "" : motion(query)))),
+    h("tbody", ...LESSON.map(([minute, what, query]) => rowOf(minute, what, query && motion(query)))),
   );
   const ideas = h(
     "table",
@@ -65,21 +73,7 @@ export function teachDialog(load: (query: string) => void, visit: () => void) {
     "dialog.teach",
     { "aria-label": "menu.teachers" },
     h("header", h("h2", "menu.teachers"), h("button", { onclick: () => print() }, "teach.print"), closing()),
-    h(
-      "p",
-      "teach.intro",
-      " ",
-      h(
-        "button.link",
-        {
-          onclick: () => {
-            dialog.close();
-            visit();
-          },
-        },
-        "teach.start_visit",
-      ),
-    ),
+    h("p", "teach.intro", " ", link("teach.start_visit", visit)),
     pages &&
       h(
         "p",

@@ -226,9 +226,11 @@ export class Visit {
     this.lab.extras.challenges.open();
   }
 
-  /** Another motion is there, or other colours. */
+  /** Another motion is there, or other colours. A question about a motion that is not shown any more ends the visit. */
   changed() {
     this.guess?.redraw?.();
-    if (this.guessing) this.veil();
+    if (!this.guessing) return;
+    if (this.lab.films().every(({ query }, k) => query === this.films[k]?.query)) this.veil();
+    else this.leave();
   }
 }
