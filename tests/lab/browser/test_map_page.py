@@ -28,6 +28,9 @@ STEPS = [
     "([lab.map.said(lab.map.pointed).split(': ')[1]])",
     *(6 * ["wheel -400"]),  # and deep into it
     "until lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0] < 1",
+    "point .map-body 0.5 0.4",
+    "choose .map-head>label>[aria-label] hop_height",
+    "is !seen('.map-body .tip')",
 ]
 
 

@@ -176,6 +176,7 @@ export class MotionMap {
     const kind = `${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;
     if (kind !== this.kind) this.layers = [];
     this.kind = kind;
+    this.tip.hidden = true; // it holds what was here before
     this.redraw();
     try {
       for (const [level, [x, y]] of LEVELS.entries()) {
