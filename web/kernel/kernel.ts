@@ -173,7 +173,7 @@ class PoolWorker {
   }
 }
 
-export class WorkerPool {
+class WorkerPool {
   idle: PoolWorker[] = [];
   started = 0;
   queue: ((worker: PoolWorker) => void)[] = [];

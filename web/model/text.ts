@@ -1,7 +1,7 @@
 // Numbers and texts as sentences and files show them, and templates filled.
 
 const LONGEST = 60; // characters of a value that a sentence shows
-const NUMBER = /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i;
+export const NUMBER = /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i;
 const NO_DIGITS = /^\s*([+-]?)(inf|infinity|nan)\s*$/i;
 
 /** With the fewest digits that give the same double. */

@@ -1,6 +1,7 @@
 // A field for a number: what may be typed, and what is said where it is none or not allowed.
 
 import { h, say } from "../common/dom.ts";
+import { NUMBER } from "../../model/text.ts";
 import { show, withUnit } from "../common/numbers.ts";
 import { local } from "../words/words.ts";
 
@@ -28,7 +29,7 @@ export function readNumber(text: string, unit = "") {
     .replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/, (_, sign, power) => `e${sign && "-"}${power.normalize("NFKD")}`);
   const endless = /^([+-]?)(inf|infinity|∞)$/i.exec(plain);
   if (endless) return endless[1] === "-" ? -Infinity : Infinity;
-  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : Number.NaN;
+  return NUMBER.test(plain) ? Number(plain) : Number.NaN;
 }
 
 /**

@@ -25,7 +25,7 @@ function rowsOf(film: Film, columns: string[], step: number) {
 }
 
 /** A quantity at a time. */
-export function valueAt(film: Film, key: string, time: number) {
+function valueAt(film: Film, key: string, time: number) {
   return QUANTITIES[key].values(film.moment(time))[0];
 }
 

@@ -176,7 +176,7 @@ export class Stage {
 
 // --- The hoops on their planes, one below the other, as they are looked at
 
-export class Stage2D {
+class Stage2D {
   zoom = 1;
   shift = [0, 0];
   /** The picture of each hoop as it was drawn last, for what lies over it. */

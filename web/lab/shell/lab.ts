@@ -26,7 +26,7 @@ import { Timeline } from "../player/timeline.ts";
 import { Transport } from "../player/transport.ts";
 import { messageOf } from "../words/words.ts";
 
-export interface Options {
+interface Options {
   own?: string; // where the lab owns the page and its keyboard: what the page's address begins with
   panels?: string[] | null; // what stands beside the player; everything by default
   onmotion?: (query: string) => void; // called when another motion is a step that can be undone
@@ -229,16 +229,8 @@ export class Lab {
   }
 
   /** Show the motion of a link from its start, at rest. */
-  load(query: string) {
-    this.first = [query];
-    return this.beginFrom(query);
-  }
-
-  reset() {
-    return this.beginFrom(this.firstQuery());
-  }
-
-  private async beginFrom(query: string) {
+  async load(query: string, first = [query]) {
+    this.first = first;
     try {
       const reply = await this.motions.ask({ query });
       this.clock.play(false);
@@ -247,6 +239,10 @@ export class Lab {
     } catch (error) {
       this.notice.fail(error);
     }
+  }
+
+  reset() {
+    return this.load(this.firstQuery(), this.first);
   }
 
   /** A state of the whole page, which the style sheet knows. */

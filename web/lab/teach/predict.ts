@@ -150,7 +150,7 @@ export function sketch(
   const values: number[] = Array(POINTS).fill(most / 4);
   let truth: number[] | null = null;
   const canvas = h("canvas.sketch-canvas");
-  const handles = values.map((_, i) =>
+  const handles = values.map((value, i) =>
     h("span.sketch-point", {
       role: "slider",
       tabindex: "0",
@@ -158,6 +158,7 @@ export function sketch(
       "aria-orientation": "vertical",
       "aria-valuemin": "0",
       "aria-valuemax": String(most),
+      "aria-valuenow": value.toPrecision(3),
       onkeydown: (event: KeyboardEvent) => {
         const way = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1 }[event.key];
         if (!way) return;
@@ -222,7 +223,6 @@ export function sketch(
     pull(event);
     follow(element, event, pull);
   });
-  for (const [i, handle] of handles.entries()) handle.ariaValueNow = values[i].toPrecision(3);
   requestAnimationFrame(draw);
   return {
     element,
