@@ -24,8 +24,6 @@ from hophoop.tracking import Camera, View
 from hophoop.tracking.scatter import third_differences
 from hophoop.tracking.table import track_of
 
-# a fit asks for hundreds of motions
-
 
 def test_the_truth_is_found_within_its_uncertainties(found):
     assert found.good
@@ -190,6 +188,8 @@ def test_a_share_of_the_errors_that_lasts_is_found():
     errors = np.sqrt(0.3) * lasting(rng.normal(size=1000), 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
     assert autocorrelation_time(3.0 * errors) == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
     assert autocorrelation_time(rng.normal(size=1000)) == 1.0
+    # every second frame is missing
+    assert autocorrelation_time(np.column_stack([errors, np.full(1000, np.nan)]).ravel()) == autocorrelation_time(errors)
 
 
 def test_times_in_whole_milliseconds_are_evened():
