@@ -34,7 +34,7 @@ NAMES = ("chromium", "chromium-browser", "google-chrome")
 
 @pytest.fixture(scope="session")
 def browser():
-    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    sync_api = pytest.importorskip("playwright.sync_api")
     chromium = next((found for name in NAMES if (found := shutil.which(name))), None)
     if chromium is None:
         pytest.skip("no Chromium is installed (Debian: apt-get install chromium)")

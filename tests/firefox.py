@@ -17,7 +17,7 @@ OFFLINE = 'user_pref("network.manage-offline-status", false);\nuser_pref("browse
 @contextlib.contextmanager
 def firefox(profile):
     """Context with a tab of Firefox that has no network; `profile`: an empty folder."""
-    client = pytest.importorskip("websockets.sync.client", reason="websockets is not installed")
+    client = pytest.importorskip("websockets.sync.client")
     program = next((found for name in NAMES if (found := shutil.which(name))), None)
     if program is None:
         pytest.skip("no Firefox is installed (Debian: apt-get install firefox-esr)")

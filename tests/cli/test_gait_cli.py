@@ -24,7 +24,7 @@ def test_the_table_and_the_json_have_the_gait():
 
 
 def test_a_diagram_is_written_and_drawn(tmp_path):
-    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    pytest.importorskip("matplotlib")
     out, picture = tmp_path / "d.csv", tmp_path / "d.png"
     assert "3 values of plane.slope" in done(DIAGRAM, "--out", out, "--plot", picture).stderr
     assert out.read_text(encoding="utf-8").startswith("plane.slope,fate,sequence,period")
@@ -32,7 +32,7 @@ def test_a_diagram_is_written_and_drawn(tmp_path):
 
 
 def test_a_branch_is_followed_and_drawn_and_in_the_json(tmp_path):
-    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    pytest.importorskip("matplotlib")
     picture = tmp_path / "branch.png"
     said = done(FOLLOW, "--plot", picture).stdout.splitlines()
     assert [line.split()[4] for line in said if "limit of the range" in line] == ["0.017", "0.0175"]

@@ -2,8 +2,8 @@
 
 import pytest
 
-math_core = pytest.importorskip("math_core", reason="the extra 'docs' is not installed")
-pytest.importorskip("sphinx", reason="the extra 'docs' is not installed")
+math_core = pytest.importorskip("math_core")
+pytest.importorskip("sphinx")
 import typeset  # noqa: E402
 
 

@@ -99,7 +99,7 @@ def test_any_extreme():
 
 
 def test_saved_motions_of_any_magnitude(tmp_path):
-    pytest.importorskip("netCDF4", reason="netCDF4 is not installed")
+    pytest.importorskip("netCDF4")
     found = {seed: problems(scenario(Random(seed), ONE_IN, TURNS), tmp_path / f"{seed}.nc") for seed in range(6)}
     assert {seed: wrong for seed, wrong in found.items() if wrong} == {}
 

@@ -59,7 +59,7 @@ def test_the_last_attractor_is_followed():
 
 
 def test_files(tmp_path):
-    pytest.importorskip("xarray", reason="the extra 'maps' is not installed")
+    pytest.importorskip("xarray")
     found = over([1.0, 4.0])
     data = found.to_xarray()
     assert data["omega"].attrs["units"] == "rad/s"
@@ -72,7 +72,7 @@ def test_files(tmp_path):
 
 
 def test_the_picture():
-    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    pytest.importorskip("matplotlib")
     found = over([1.0, 1.18, 4.0, 10.0])
     ax = hh.plots.diagram(found)
     drawn = np.concatenate([np.asarray(dots.get_offsets()) for dots in ax.collections])

@@ -196,8 +196,8 @@ def test_gaits_that_never_roll_are_followed():
 
 
 def test_files_and_pictures(branch, gear):
-    pytest.importorskip("xarray", reason="the extra 'maps' is not installed")
-    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    pytest.importorskip("xarray")
+    pytest.importorskip("matplotlib")
     data = branch.to_xarray()
     assert data["parameter"].attrs["units"] == "rad"
     assert branch.to_dict()["special"][0]["kind"] == "limit of the range"

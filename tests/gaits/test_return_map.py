@@ -56,7 +56,7 @@ def test_refusals(arguments, message):
 
 
 def test_the_picture():
-    pytest.importorskip("matplotlib", reason="the extra 'plots' is not installed")
+    pytest.importorskip("matplotlib")
     found = hh.gaits.return_map(on_slope(4.0), 3.0, 3.6, 50)
     ax = hh.plots.return_map(found, start=3.4, passages=20, skip=3)
     steps = ax.lines[1].get_xydata()

@@ -8,7 +8,7 @@ import pytest
 import hophoop as hh
 from hophoop.vocabulary.names import Fate, identifier
 
-pytest.importorskip("xarray", reason="the extra 'maps' is not installed")
+pytest.importorskip("xarray")
 
 LEVEL = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(gravity=1.0))
 SLOPE = LEVEL.replace("start", hh.Start.rolling(3.0, angle=math.pi))

@@ -114,7 +114,7 @@ def test_digits(scenario, until):
 
 def test_saved_and_loaded(tmp_path):
     """A file keeps what ended the motion, and its doubt."""
-    pytest.importorskip("netCDF4", reason="netCDF4 is not installed")
+    pytest.importorskip("netCDF4")
     motion = hh.simulate(HOPS, until="landings:2")
     motion.save(tmp_path / "brief.nc")
     again = hh.load(tmp_path / "brief.nc")

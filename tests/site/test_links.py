@@ -5,7 +5,7 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 
-bs4 = pytest.importorskip("bs4", reason="the extra 'docs' is not installed")
+bs4 = pytest.importorskip("bs4")
 
 
 @cache

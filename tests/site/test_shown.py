@@ -106,7 +106,7 @@ def test_pages_fit_on_paper(site, new_page, address):
 
 
 def test_slides_and_worksheet_are_there_to_hand_out(site):
-    pptx = pytest.importorskip("pptx", reason="the extra 'docs' is not installed")
+    pptx = pytest.importorskip("pptx")
     folder = site / "teach"
     shown = pptx.Presentation(str(folder / "slides" / "slides.pptx"))
     media = [[shape for shape in slide.shapes if shape.shape_type == MEDIA] for slide in shown.slides]

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-pytest.importorskip("av", reason="the extra 'track' is not installed")
+pytest.importorskip("av")
 
 import hophoop as hh
 from film_maker import Film, article_like, make, project

@@ -8,7 +8,7 @@ import pytest
 
 from lab_page_tools import wait_for
 
-Image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not installed")
+Image = pytest.importorskip("PIL.Image")
 
 TWO = "?duration=0.6#t=0.3&with=start.speed%3D2.5%26duration%3D0.6"
 
@@ -72,7 +72,7 @@ def test_pictures_are_what_the_screen_shows(visit, new_page, tmp_path):
 
 
 def test_a_film_of_two_hoops_is_recorded_in_the_browser(visit, tmp_path):
-    pytest.importorskip("av", reason="the extra 'films' is not installed")
+    pytest.importorskip("av")
     from animate_tools import decoded
 
     page = visit(TWO, viewport={"width": 1000, "height": 700})

@@ -292,7 +292,7 @@ def test_it_is_in_its_place(visit, flow, request):
 
 def shot(page, selector):
     """An element as it is seen, in grey."""
-    image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not installed")
+    image = pytest.importorskip("PIL.Image")
     return np.asarray(image.open(io.BytesIO(page.locator(selector).first.screenshot())).convert("L"), float)
 
 

@@ -7,7 +7,7 @@ from threading import Thread
 import numpy as np
 import pytest
 
-pytest.importorskip("av", reason="the extra 'track' is not installed")
+pytest.importorskip("av")
 
 from film_maker import SMALL, article_like, make
 from hophoop.lab.pick import pick
