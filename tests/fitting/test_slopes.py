@@ -16,7 +16,6 @@ from hophoop.fitting.problem import Prior, problem_of
 from hophoop.fitting.solving import parameters, slopes
 from hophoop.scenario import InputError
 
-
 SLIDING, FLYING = hh.Start(vx=2.0, omega=3.0, angle=0.4), hh.Start(vx=1.0, height=0.05, vy=0.1, omega=4.0, angle=0.4)
 # start, hoop, rolling resistance, duration, and whether the marker is filmed in place of the centre
 MOTIONS = {
