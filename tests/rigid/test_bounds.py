@@ -22,7 +22,6 @@ def assert_finite(motion):
 
 
 @pytest.mark.slow
-@pytest.mark.compiled
 def test_panels_are_used_up():
     """16 turns a millisecond for 30 years: the motion ends with what has been computed, and says where."""
     motion = hh.simulate(hh.Scenario.from_query("duration=1000000000&hoop.radius=0.01&hoop.load_fraction=0&start.speed=1000"))
@@ -34,7 +33,7 @@ def test_panels_are_used_up():
     assert_finite(motion)
 
 
-@pytest.mark.compiled
+@pytest.mark.long
 @pytest.mark.parametrize("contact", [hh.Rigid(), hh.Compliant(stiffness=1e9)])
 def test_turns_of_a_flight_are_used_up(contact):
     """Without gravity a rim that touches the plane once a turn but for rounding is looked at so often and no more."""

@@ -77,7 +77,7 @@ def test_other_slow_motions_lose_digits_or_are_in_doubt(link, until, t, error):
     assert bool(motion.doubt < motion.duration) is (error == math.inf)
 
 
-@pytest.mark.compiled
+@pytest.mark.long
 def test_the_ledgers_of_long_motions_and_of_slow_slip_on_little_friction():
     """2.8 m/s over 600 s and 1,400 events: it was off by 1.5e-10 J, and by 5.6e-8 J after 6,000 s."""
     motion = hh.simulate(hh.Scenario.from_query("duration=600&start.speed=2.8"))

@@ -39,7 +39,7 @@ def test_contact_is_lost_where_the_particle_says(mu):
         assert (skim.angle, skim.omega) == pytest.approx((loss.angle, loss.omega), rel=max(known, 1e-11))
 
 
-@pytest.mark.compiled
+@pytest.mark.long
 def test_heavy_rims_come_to_it():
     """γ = 1 − 10⁻ᵏ down to 10⁻¹²: the first slip goes to the massless loss of contact, but as a skid and not a hop.
 

@@ -13,7 +13,7 @@ HOPS = hh.Scenario(hoop=hh.Hoop.ideal(0.5), plane=hh.Plane(slope=math.radians(3.
 HOP = hh.simulate(hh.Scenario(duration=2.0))
 
 
-@pytest.mark.compiled
+@pytest.mark.long
 def test_random_cuts():
     """150 cuts, at a random time or event, from the left or the right: the next event is that of the whole motion."""
     compared = 0
