@@ -35,8 +35,6 @@ print(json.dumps([before, dir(hh)]))
 """
     before, after = json.loads(python(code).stdout)
     assert before == after == sorted(hh.__all__)
-    assert {"simulate", "io", "cite", "__version__"} <= set(before)
-    assert not {"Any", "TYPE_CHECKING", "import_module", "annotations"} & set(before)
 
 
 def test_type_checkers_see_the_same_names():
