@@ -68,15 +68,6 @@ def marked(track):
     return replace(track, centre=track.centre + arm, angle=np.full_like(track.angle, np.nan))
 
 
-def turning_alone(track):
-    """The record of a gyroscope that starts in a skid."""
-    motion = MOTIONS["right"]
-    later = track.between(motion.find("slip_start")[0].t + 0.02)
-    omega, unknown = motion.at(later.t).omega, np.full_like(later.angle, np.nan)
-    error = np.full_like(omega, 0.02)
-    return replace(later, omega=omega, omega_error=error, angle=unknown, centre=np.full_like(later.centre, np.nan))
-
-
 # Motion, mistake, question.
 MISTAKES = [
     ("right", {"centre": 100.0}, "are lengths in cm"),
@@ -90,14 +81,14 @@ MORE = [
     ("right", {"centre": [-1.0, -1.0], "zero": np.pi}, "is the film upside down"),
     ("left", {"angle": -1.0}, "the angle counts clockwise"),
     ("left", {"centre": [-1.0, 1.0]}, "the angle counts clockwise"),
-    ("right", {"zero": np.pi / 2}, "is your angle zero with the load at the top"),
+    ("right", {"zero": np.pi / 2}, "load at the top? If not, give --fix marker_angle=1.57"),
     ("right", {"centre": 100.0, "radius": 100.0}, "is the radius in m"),
     ("right", {"radius": 1.0 / 0.0254}, "with a radius of 0.3 m: is the radius in m"),
     ("right", marked, "with x and y as those of the marker: name their columns"),
-    ("right", turning_alone, "with slip in the first frame: give --start sliding"),
+    ("right", lambda track: track.between(0.2), "A motion fits with slip in the first frame"),
     ("hop at once", {"radius": 2.0}, "is the radius in m, and no diameter"),
     ("hop at once", {"time": 0.25}, "are frames per second (--rate) and times right"),
-    ("hop at once", {"centre": 1.05}, "is the scale of lengths right"),
+    ("hop at once", {"centre": 1.05}, "with lengths divided by 1.05: is the scale of lengths right? --free scale"),
     ("right", lambda track: turning(stretched(track, time=8.0)), "is the film in slow motion"),
 ]
 
@@ -138,6 +129,6 @@ def test_a_fit_that_is_not_good_asks_and_leaves_the_details_out():
 def test_a_fit_without_a_usual_mistake_says_so():
     found = hh.fit(TRACKS["right"], fixed={"gamma": 0.1})
     assert (
-        "None of the usual mistakes explains that (tried: times, the radius, the scale, units, axes, the point, the zero"
+        "(tried: times, the radius, the scale, units, axes, the point, the start, the zero of the angle, the window): look"
         in found.sentences()[-1]
     )

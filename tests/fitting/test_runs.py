@@ -21,7 +21,7 @@ def runs(*hoops):
 
 @pytest.fixture(scope="module")
 def together():
-    return hh.fit(runs(None, None, None))
+    return hh.fit(runs(None, None, None), start="rolling")
 
 
 def test_several_runs_share_the_hoop_and_each_has_its_own_start(together):

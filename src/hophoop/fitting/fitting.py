@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,7 +18,7 @@ from hophoop.fitting.mistakes import likely_mistakes, shutter
 from hophoop.fitting.parameters import HOOPS, REFUSED, SHARED, STARTS, split_number
 from hophoop.fitting.problem import Problem, defaults, problem_of, run_of, shared_errors
 from hophoop.fitting.result import Fit
-from hophoop.fitting.solving import best_of, changed, free_of, lowest, of_rotation, parameters, unobserved
+from hophoop.fitting.solving import Solution, best_of, changed, free_of, lowest, of_rotation, parameters, unobserved
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
 from hophoop.tracking.hints import require_above_0
@@ -26,6 +27,12 @@ if TYPE_CHECKING:
     from lmfit import Parameters
 
 LONGEST = 120.0  # record that is fitted [s]
+SEEN = 2  # minimum frames of rolling that show that a motion starts with it
+CERTAIN = 9.0  # rise of the sum of squares that is more than chance: three standard deviations
+OPEN = (
+    "Whether the hoop rolls or slips in the first frame is open; the uncertainties allow for both. If it was released rolling, "
+    "--start rolling has smaller ones."
+)
 NO_MISTAKE = "None of the usual mistakes explains that (tried: {}): look at the residuals (--out, or report in Python)."
 
 
@@ -81,7 +88,8 @@ def fit(
         A known hoop, for example from its parts, so that only the contact is fitted; or an ideal hoop, described by gamma; or
         a general one, described by eccentricity and inertia_ratio.
     start : {'auto', 'rolling', 'sliding', 'flying'}, default 'auto'
-        Motion of the hoop in the first frame. Flying needs places: angular velocities alone do not tell the height.
+        Motion of the hoop in the first frame; auto is sliding where no rolling is seen before the first slip. Flying needs
+        places: angular velocities alone do not tell the height.
     fixed : dict, optional
         Known parameters and their values [SI units].
     free : sequence of str, optional
@@ -144,26 +152,56 @@ def fit(
     return _fit_together([fit_alone(track, how.of_run(k)) for k, track in enumerate(tracks, 1)], how)
 
 
-def fit_alone(track: Track, how: Settings) -> Fit:
-    """Fit one run; if the data have no errors, a second time, with the scatter of the residuals."""
-    track, derived = evened(track)
+def fit_alone(track: Track, how: Settings, near: Values | None = None) -> Fit:
+    """Fit one run; if the data have no errors, a second time, with the scatter of the residuals.
+
+    Where no rolling is seen before the first slip, the hoop may have slipped earlier: its slip in the first frame is fitted.
+
+    near: values of another start.
+    """
+    given, (track, derived) = track, evened(track)
     problem, params = _posed(track, how)
-    starts = _starts(problem, params, how.seed)
+    starts = _starts(problem, params, how.seed, near)
     if not all(piece.channel.known for piece in problem.pieces):
         # angular velocities need the whole search
         search = best_of(problem, params, starts).minimum if of_rotation(problem) else lowest(problem, params, starts)
         off = {channel.name: channel.errors * search.residuals[part] for _, channel, part in problem.pieces}
         track, scatter = with_scatter(track, off)
         problem, params = _posed(track, how)
-        starts, derived = _starts(problem, params, how.seed), derived | scatter
-    return _fit_of(problem, params, starts, (track,), how, [derived])
+        starts, derived = _starts(problem, params, how.seed, near), derived | scatter
+    solution = best_of(problem, params, starts)
+    if how.start == "auto" and _slips_at_once(solution):
+        with suppress(InputError):  # the caller knows the speed, or one more parameter is too many
+            return _with_slip(given, how, solution)
+    return _fit_of(params, solution, (track,), how, [derived])
+
+
+def _slips_at_once(solution: Solution) -> bool:
+    """Return True if a motion that starts rolling slips before rolling is seen."""
+    (run,), values = solution.problem.runs, solution.minimum.values
+    modes = run.motion(values).at(run.t[:SEEN]).mode
+    return run.start == "rolling" and bool(np.isin(modes, ["S", "K"]).any())
+
+
+def _with_slip(track: Track, how: Settings, rolling: Solution) -> Fit:
+    """Return a fit that starts with slip, with a note where a motion that starts rolling explains the data as well."""
+    (run,), values = rolling.problem.runs, rolling.minimum.values
+    near = values | {"vx0": values["speed"], "omega0": values["speed"] / run.radius}
+    found = fit_alone(track, replace(how, start="sliding"), near)
+    rises = found.problem.cost(found.values | near) - found.problem.cost(found.values)
+    as_well = found.usable and rises < CERTAIN * max(1.0, found.reduced)
+    return replace(found, notes=(*found.notes, OPEN)) if as_well else found
 
 
 def fit_near(track: Track, how: Settings, values: Values) -> Fit:
     """Fit one run whose data have errors, from values near its parameters."""
     problem, params = _posed(track, how)
-    start = Candidate(changed(params, values).valuesdict(), "", 0.0)
-    return _fit_of(problem, params, [start], (track,), how, [{}])
+    return _fit_of(params, best_of(problem, params, [_start_near(params, values)]), (track,), how, [{}])
+
+
+def _start_near(params: Parameters, values: Values) -> Candidate:
+    """Return a start of a fit near values of its parameters."""
+    return Candidate(changed(params, values).valuesdict(), "", 0.0)
 
 
 def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters]:
@@ -184,15 +222,15 @@ def _posed(track: Track, how: Settings) -> tuple[Problem, Parameters]:
     return problem_of([replace(run, priors=priors)], how.robust), params
 
 
-def _starts(problem: Problem, params: Parameters, seed: int) -> list[Candidate]:
-    """Return starts of a fit of one run."""
+def _starts(problem: Problem, params: Parameters, seed: int, near: Values | None) -> list[Candidate]:
+    """Return starts of a fit of one run, and one near some values."""
     (run,), free = problem.runs, free_of(params)
     if len(free) >= problem.count:
         raise InputError(f"{len(free)} parameters cannot be fitted to {problem.count} numbers.")
     starts = candidates(run, guess(run, params.valuesdict(), free), set(free), seed)
     if not starts:
         raise InputError("No motion could be computed from a first estimate of the parameters: fix or bound some of them.")
-    return starts
+    return starts if near is None else [*starts, _start_near(params, near)]
 
 
 def _fit_together(alone: list[Fit], how: Settings) -> Fit:
@@ -209,7 +247,7 @@ def _fit_together(alone: list[Fit], how: Settings) -> Fit:
         starts.append(Candidate(first, problem.sequence(first), 0.0))
     tracks = tuple(one.track for one in alone)
     derived = [own for one in alone for own in one.settings["derived"]]
-    return replace(_fit_of(problem, params, starts, tracks, how, derived), alone=tuple(alone))
+    return replace(_fit_of(params, best_of(problem, params, starts), tracks, how, derived), alone=tuple(alone))
 
 
 def _parameters(problem: Problem, values: Values, usual: set[str], how: Settings) -> Parameters:
@@ -243,20 +281,13 @@ def _parameters(problem: Problem, values: Values, usual: set[str], how: Settings
     return parameters(values | {name: float(value) for name, value in fixed.items()}, chosen, bounds, tied)
 
 
-def _fit_of(
-    problem: Problem,
-    params: Parameters,
-    starts: Sequence[Candidate],
-    tracks: tuple[Track, ...],
-    how: Settings,
-    derived: list[Values],
-) -> Fit:
+def _fit_of(params: Parameters, solution: Solution, tracks: tuple[Track, ...], how: Settings, derived: list[Values]) -> Fit:
     """Return the fit, with limits of parameters that may be at an end of their range or have no effect.
 
     derived: of the data of each run, what they lack: the scatter, and the rate of rounded times.
     """
-    wanted = free_of(params)
-    solution, limits = with_limits(best_of(problem, params, starts), wanted)
+    problem, wanted = solution.problem, free_of(params)
+    solution, limits = with_limits(solution, wanted)
     values = solution.minimum.values
     gone, notes = unobserved(problem.motions(values)), []
     tied = {name: one.expr for name, one in params.items() if one.expr}

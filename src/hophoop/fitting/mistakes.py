@@ -14,7 +14,7 @@ from hophoop.fitting.channels import Channel, Values
 from hophoop.fitting.guess import COST, candidates, guess, start_kind
 from hophoop.fitting.parameters import FACTORS, SHARED
 from hophoop.fitting.problem import Problem, Run, defaults, problem_of, run_of
-from hophoop.fitting.solving import Solution, beginnings, free_of, minimize, parameters
+from hophoop.fitting.solving import Solution, beginnings, changed, free_of, minimize, parameters
 from hophoop.scenario import InputError
 from hophoop.tracking import Track
 
@@ -48,7 +48,7 @@ class Trial(NamedTuple):
 
     channels: Sequence[str]
     kind: str
-    words: str  # after 'A motion fits ', with places for the factor of the times and the radius
+    words: str  # after 'A motion fits ', with places for what is fitted, as in the advice
     advice: str
     factors: Mapping[str, float] = {}  # of channels, times and radius; and the zero of the angle [rad]
     extra: str = ""  # a parameter that is free in addition
@@ -75,7 +75,10 @@ TRIALS = (
         )
         for factor in RADII
     ),
-    Trial(LENGTHS, "the scale", "with other lengths", "is the scale of lengths right?", extra="scale"),
+    Trial(
+        LENGTHS, "the scale", "with lengths divided by {scale:.3g}", "is the scale of lengths right? --free scale fits it.",
+        extra="scale",
+    ),
     *(
         Trial(LENGTHS, "units", f"with lengths multiplied by {factor:g}{also}", advice, dict.fromkeys(names, factor))
         for factor in UNITS
@@ -92,7 +95,7 @@ TRIALS = (
         ("x",), "the point", "with x and y as those of the marker", "name their columns marker x and marker y.",
         names={"x": "marker_x", "y": "marker_y"}, calls=100,
     ),
-    Trial(("omega",), "the start", "with slip in the first frame", "give --start sliding.", start="sliding"),
+    Trial(ANY, "the start", "with slip in the first frame", "give --start sliding.", start="sliding"),
     Trial(("x",), "axes", "with y in the other direction", "does y count downwards? y is the height.", {"y": -1.0}),
     Trial(
         ("x",), "axes", "with x and y in the other direction", "is the film upside down?",
@@ -107,7 +110,7 @@ TRIALS = (
     *(
         Trial(
             ("angle",), "the zero of the angle", "with another zero of the angle",
-            "is your angle zero with the load at the top? A known difference is --fix marker_angle=…, in rad.",
+            "is your angle zero with the load at the top? If not, give --fix marker_angle={zero:.4g}, in rad.",
             {"zero of angle": zero}, "marker_angle",
         )
         for zero in np.radians(range(45, 360, 45)).tolist()
@@ -154,10 +157,18 @@ def _fitted(posed: Posed) -> tuple[float, Trial]:
     problem, trial = posed.problem, posed.trial
     begun = [one for params in posed.starts for one in beginnings(problem, params, trial.calls)]
     best = min((minimize(problem, one, trial.calls) for one in begun), key=COST)
-    cost, values = best.cost / max(problem.count - len(free_of(best.params)), 1), best.values
-    times = trial.factors.get("times", 1.0) * values.get("times", 1.0)
-    words = trial.words.format(times=times, radius=problem.runs[0].radius * values.get("radius", 1.0))
-    return cost, trial._replace(words=words)
+    cost, values, extra = best.cost / max(problem.count - len(free_of(best.params)), 1), best.values, trial.extra
+    if cost < GOOD and extra in (*FACTORS, "scale"):
+        right = changed(best.params, {extra: 1.0 / trial.factors.get(extra, 1.0)}, [extra])
+        if minimize(problem, right, trial.calls).cost < BETTER * best.cost:
+            return np.inf, trial  # a factor of 1 is no mistake
+    found = {
+        "times": trial.factors.get("times", 1.0) * values.get("times", 1.0),
+        "radius": problem.runs[0].radius * values.get("radius", 1.0),
+        "scale": values["scale"],
+        "zero": np.angle(np.exp(1j * (trial.factors.get("zero of angle", 0.0) + values["marker_angle"]))),
+    }
+    return cost, trial._replace(words=trial.words.format(**found), advice=trial.advice.format(**found))
 
 
 def likely_mistakes(run: Run, values: Values, free: Sequence[str], cost: float, track: Track) -> tuple[list[str], list[str]]:
@@ -168,7 +179,7 @@ def likely_mistakes(run: Run, values: Values, free: Sequence[str], cost: float, 
     if limit := _of_limit(run):
         return limit, []
     asked = Asked(track, values, {name: values[name] for name in run.names if name in SHARED and name not in free})
-    trials = [trial for trial in TRIALS if run.measured & {*trial.channels}]
+    trials = [trial for trial in TRIALS if run.measured & {*trial.channels} and trial.start != run.start]
     posed = sorted((one for trial in trials for one in _posed(asked, run, trial)), key=COST)
     tried = list(dict.fromkeys(trial.kind for trial in trials))
     fitted = []

@@ -36,6 +36,8 @@ UNLIKELY = 0.003  # probability below which runs do not agree
 HOPELESS = 10.0 * WORST  # above it the numbers of a fit mean nothing
 # For data without errors of their own: maximum chi-square over degrees of freedom, and minimum von Neumann ratio, of use.
 FAR, SCATTER = 3.0 * WORST, 1.2
+# And those above which their scatter is doubted: over the radius, or in rad, and the von Neumann ratio of at least so many.
+COARSE, ALTERNATING, MANY = 0.05, 3.0, 100
 # What a file has as it is.
 SAVED = (
     "values", "errors", "free", "chi_square", "degrees_of_freedom", "good", "limits", "shares", "correlated", "misfits",
@@ -117,10 +119,14 @@ class Fit:
         Data without errors of their own have those that they scatter by: residuals that do not scatter show another motion,
         as does a mistake without which one fits.
         """
-        found = any(KINDS.keys() & derived for derived in self.settings["derived"])
-        if found:
+        if self._scatters:
             return self.good or (self.reduced <= FAR and self.von_neumann >= SCATTER and not self.mistaken)
         return self.reduced <= HOPELESS
+
+    @property
+    def _scatters(self) -> bool:
+        """True if errors of the data are their scatter."""
+        return any(KINDS.keys() & derived for derived in self.settings["derived"])
 
     @property
     def inflation(self) -> float:
@@ -326,10 +332,20 @@ class Fit:
         else:
             said = [f"Wrong: no motion fits. The data are {self.inflation:.0f} times as far from the best one as their errors."]
         if self.usable:
-            said += [*self._accuracies(), *self._turned()]
+            said += [*self._doubts(), *self._accuracies(), *self._turned()]
         # of a film, what its track is doubted for; of a table, how it was read
         of_the_tracks = [note for track in self.tracks for note in track.notes if track.view is None or note.startswith(DOUBT)]
         return [*said, *self._of_runs(), *self.notes, *of_the_tracks]
+
+    def _doubts(self) -> list[str]:
+        """Doubt a scatter that is large, or that alternates from row to row."""
+        said = []
+        for run, derived in zip(self.problem.runs, self.settings["derived"], strict=True):
+            if (size := max(derived.get("places", 0.0) / run.radius, derived.get("angles", 0.0))) > COARSE:
+                said.append(f"The data scatter by {100 * size:.0f} % of the radius: are their times and rows right?")
+        if self._scatters and self.problem.count >= MANY and self.von_neumann > ALTERNATING:
+            said.append(f"The residuals alternate (von Neumann ratio {self.von_neumann:.1f}): is each row there twice?")
+        return said
 
     def _accuracies(self) -> list[str]:
         """Group the parameters of hoop and contact by their accuracy, and say what it is good for."""
