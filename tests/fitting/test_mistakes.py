@@ -71,8 +71,6 @@ def marked(track):
 # Motion, mistake, question.
 MISTAKES = [
     ("right", {"centre": 100.0}, "are lengths in cm"),
-]
-MORE = [
     ("right", {"angle": np.degrees(1.0)}, "is it in degrees"),
     ("right", held, "give --from 0.3"),
     ("right", sideways, "is the film sideways"),
@@ -93,9 +91,8 @@ MORE = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("name", "mistake", "question"), [*MISTAKES, *(pytest.param(*row, marks=pytest.mark.long) for row in MORE)]
-)
+@pytest.mark.long
+@pytest.mark.parametrize(("name", "mistake", "question"), MISTAKES)
 def test_the_mistake_is_asked_about(name, mistake, question):
     track = TRACKS[name]
     (found,) = asked(mistake(track) if callable(mistake) else stretched(track, **mistake))

@@ -48,7 +48,7 @@ def test_the_head_takes_two_rows(visit, simple):
     picture(page, f"phone-head-{'simple' if simple else 'all'}")
 
 
-@pytest.mark.parametrize("sizes", [[(390, 844), (320, 568)], pytest.param([(1440, 900)], marks=pytest.mark.long)])
+@pytest.mark.parametrize("sizes", [[(390, 844), (320, 568)], [(1440, 900)]])
 def test_the_hint_of_the_load_covers_no_numbers(visit, sizes):
     options = FINGERS if len(sizes) > 1 else {}
     page = visit(simple=True, viewport=dict(zip(("width", "height"), sizes[0], strict=True)), **options)
