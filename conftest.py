@@ -19,9 +19,8 @@ pytest_plugins = ["browser_tools"]
 
 @pytest.hookimpl(optionalhook=True)  # of pytest-xdist
 def pytest_xdist_auto_num_workers(config):
-    """Half as many workers again as processors, as browsers and stopped commands are waited for."""
-    processors = os.cpu_count() or 1
-    return processors + processors // 2
+    """A worker for each processor: of themselves there would be one for each core, of which a processor may be half."""
+    return os.cpu_count() or 1
 
 
 @pytest.hookimpl(tryfirst=True)  # workers start after this

@@ -99,7 +99,7 @@ const SEQUENCE = "sequence";
 const driftOf = (name: string) => [...name].reduce((sum, letter) => (131 * sum + letter.charCodeAt(0)) % 997, 0) / 997;
 
 /** `name`: a sequence, or a word of another quantity; returns as #RRGGBB. */
-function classColor(name: string, quantity: string): string {
+export function classColor(name: string, quantity: string): string {
   if (quantity !== SEQUENCE) return codes[quantity]?.[name] ?? other;
   const first = /[SK]/.exec(name)?.[0] ?? "R";
   const does = [name.startsWith("R") && "rolls", /[SK]/.test(name) && "slips"].filter(Boolean).join(", ");
