@@ -124,7 +124,7 @@ def plot(found: Sequence[Scored]) -> Any:
         gap.set(title=f"{one.record.notes.get('engine', 'record')}: {one.scenario}", ylabel="gap (mm)")
         slip.plot(exact.t, slip_velocity(truth.task, exact), color="#bbbbbb", lw=4.0)
         slip.plot(mine.t, slip_velocity(truth.task, mine), color=VERMILION, lw=1.2)
-        slip.set(title="gray: the exact motion; vertical: take-off", ylabel="slip velocity (m/s)")
+        slip.set(title="gray: exact; dashed: take-off of the record", ylabel="slip velocity (m/s)")
         for measures, color, style in ((truth.measures, "#777777", "-"), (one.measures, VERMILION, "--")):
             if measures.takeoff_time is not None:
                 for ax in (gap, slip):
