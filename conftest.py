@@ -19,7 +19,7 @@ pytest_plugins = ["browser_tools"]
 
 @pytest.hookimpl(optionalhook=True)  # of pytest-xdist
 def pytest_xdist_auto_num_workers(config):
-    """A worker for each processor: of themselves there would be one for each core, of which a processor may be half."""
+    """One worker for each processor; pytest-xdist itself counts cores, which may be half as many."""
     return os.cpu_count() or 1
 
 

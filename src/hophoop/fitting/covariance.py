@@ -54,9 +54,9 @@ def autocorrelation_time(values: Floats) -> float:
     count, size = int(np.isfinite(values).sum()), float(np.nanmean(values**2))
     if count < FEWEST or size < ROUNDING:
         return 1.0
-    pairs = {lag: values[lag:] * values[:-lag] for lag in range(1, count // 4)}
+    pairs = [values[lag:] * values[:-lag] for lag in range(1, count // 4)]
     # where every second frame is missing, only even lags have pairs
-    alike = np.array([np.nanmean(both) / size for both in pairs.values() if np.isfinite(both).any()])
+    alike = np.array([np.nanmean(both) / size for both in pairs if np.isfinite(both).any()])
     lags = np.arange(1, len(alike) + 1)
     early = alike[:FIRST]
     if max(early[0] * np.sqrt(count), early.mean() * np.sqrt(FIRST * count)) < CERTAIN:
